@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Distance/DistanceGradient.h"
+
+#include <algorithm>
+
+namespace evolving
+{
+
+std::vector<float> normalizedDifferences(
+  const DistanceGrid& grid, const std::vector<float>& values, const Execution& execution)
+{
+  std::vector<float> gradient(3 * values.size());
+  const auto difference = [&](GridIndex sample, int place, int axis, GridIndex stride)
+  {
+    const int before = place > 0 ? 1 : 0;
+    const int after = place + 1 < grid.dimension(axis) ? 1 : 0;
+    const auto value = [&](GridIndex s) { return double(values[static_cast<std::size_t>(s)]); };
+    const double change = value(sample + after * stride) - value(sample - before * stride);
+    return change / (std::max(1, before + after) * grid.spacing[axis]);
+  };
+  const int width = grid.dimension(0);
+  const int height = grid.dimension(1);
+  constexpr std::int64_t RowGrain = 64;
+  execution.forRangeReporting(std::int64_t(height) * grid.dimension(2), RowGrain,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (GridIndex sample = begin * width; sample < end * width; ++sample)
+      {
+        const GridIndex row = sample / width;
+        const Vec3 slope(difference(sample, static_cast<int>(sample % width), 0, 1),
+          difference(sample, static_cast<int>(row % height), 1, width),
+          difference(sample, static_cast<int>(row / height), 2, GridIndex(width) * height));
+        const double length = slope.norm();
+        for (int axis = 0; axis < 3 && length > 0.0; ++axis)
+        {
+          gradient[static_cast<std::size_t>(3 * sample + axis)] =
+            static_cast<float>(slope[axis] / length);
+        }
+      }
+    });
+  return gradient;
+}
+
+} // namespace evolving

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Distance/DistanceTarget.h"
+
+#include "Distance/PolygonTriangulation.h"
+#include "Errors.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <sstream>
+
+namespace evolving
+{
+
+namespace
+{
+
+std::size_t at(Index i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+/// The numbers 0 ... count - 1 without those whose key is that of a smaller number, ascending.
+template <typename Key>
+std::vector<Index> firstOfEqual(std::size_t count, const Key& key)
+{
+  std::vector<Index> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(
+    order.begin(), order.end(), [&key](Index a, Index b) { return key(a) < key(b); });
+  order.erase(
+    std::unique(order.begin(), order.end(), [&key](Index a, Index b) { return key(a) == key(b); }),
+    order.end());
+  std::sort(order.begin(), order.end());
+  return order;
+}
+
+DistanceTarget targetOfPoints(const SurfaceMesh& mesh)
+{
+  DistanceTarget target;
+  target.isPointSet = true;
+  target.oldNumber = firstOfEqual(mesh.points.size(),
+    [&mesh](Index i)
+    {
+      const Vec3& point = mesh.points[at(i)];
+      return std::array<double, 3>{ point.x(), point.y(), point.z() };
+    });
+  for (const Index old : target.oldNumber)
+  {
+    const Index point = target.mesh.addPoint(mesh.points[at(old)]);
+    target.mesh.addFace({ point, point, point });
+  }
+  return target;
+}
+
+/// Drops triangles whose corners another one has, in any order.
+void dropDuplicates(SurfaceMesh& mesh, std::vector<Index>& oldFace)
+{
+  std::vector<std::array<Index, 3>> corners(at(mesh.faceCount()));
+  for (Index face = 0; face < mesh.faceCount(); ++face)
+  {
+    corners[at(face)] = { mesh.faceVertex(face, 0), mesh.faceVertex(face, 1),
+      mesh.faceVertex(face, 2) };
+    std::sort(corners[at(face)].begin(), corners[at(face)].end());
+  }
+  const std::vector<Index> kept = firstOfEqual(
+    corners.size(), [&corners](Index face) -> const auto& { return corners[at(face)]; });
+  if (kept.size() == corners.size())
+  {
+    return;
+  }
+  SurfaceMesh unique;
+  unique.points = std::move(mesh.points);
+  std::vector<Index> oldOfUnique;
+  for (const Index face : kept)
+  {
+    unique.addFace(
+      { mesh.faceVertex(face, 0), mesh.faceVertex(face, 1), mesh.faceVertex(face, 2) });
+    oldOfUnique.push_back(oldFace[at(face)]);
+  }
+  mesh = std::move(unique);
+  oldFace = std::move(oldOfUnique);
+}
+
+DistanceTarget targetOfSurface(const SurfaceMesh& mesh)
+{
+  DistanceTarget target;
+  std::vector<Index> oldOfWelded;
+  std::vector<Index> weldedOfTriangle;
+  const SurfaceMesh welded = weldCoincidentPoints(mesh, nullptr, &oldOfWelded);
+  if (welded.faceCount() == 0)
+  {
+    std::ostringstream message;
+    message << "None of the " << mesh.faceCount()
+            << " faces has three different corners, so there is no surface to measure from; "
+               "check the mesh, or pass its points alone for the distance to them.";
+    throw InputError(message.str());
+  }
+  target.mesh = triangulate(welded, weldedOfTriangle);
+  target.oldNumber.reserve(weldedOfTriangle.size());
+  for (const Index face : weldedOfTriangle)
+  {
+    target.oldNumber.push_back(oldOfWelded[at(face)]);
+  }
+  dropDuplicates(target.mesh, target.oldNumber);
+  return target;
+}
+
+} // namespace
+
+DistanceTarget makeDistanceTarget(const SurfaceMesh& mesh)
+{
+  validate(mesh);
+  if (mesh.points.empty())
+  {
+    throw InputError("The mesh has no points, expected a surface or points to measure from; "
+                     "check what produces it.");
+  }
+  DistanceTarget target = mesh.faceCount() == 0 ? targetOfPoints(mesh) : targetOfSurface(mesh);
+  target.center = boundingBox(target.mesh).center();
+  for (Vec3& point : target.mesh.points)
+  {
+    point -= target.center;
+  }
+  if (!target.isPointSet)
+  {
+    target.orientation = orientOutwards(target.mesh);
+  }
+  return target;
+}
+
+} // namespace evolving

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * A mesh made ready to measure distances to.
+ */
+
+#ifndef EVOLVING_DISTANCE_TARGET_H
+#define EVOLVING_DISTANCE_TARGET_H
+
+#include "Distance/OutwardOrientation.h"
+#include "Mesh/SurfaceMesh.h"
+#include "Types.h"
+
+#include <vector>
+
+namespace evolving
+{
+
+struct DistanceTarget
+{
+  SurfaceMesh mesh; ///< triangles relative to the centre; of points, three equal corners
+  std::vector<Index> oldNumber; ///< of each triangle: the input's face, or point of a point set
+  Vec3 center = Vec3::Zero();   ///< of the input's bounding box
+  bool isPointSet = false;
+  OrientationSummary orientation; ///< of a surface
+};
+
+/**
+ * Joins coincident points, cuts polygons into triangles, keeps one of several triangles with
+ * the same corners, moves the mesh to its centre and turns its triangles outwards. Of a mesh
+ * without faces, the different points.
+ * @throws InputError when the mesh is empty or damaged, or no face has three different corners
+ */
+DistanceTarget makeDistanceTarget(const SurfaceMesh& mesh);
+
+} // namespace evolving
+
+#endif

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Distance/InsideOutside.h"
+
+#include "Distance/ClosestTriangles.h"
+#include "Distance/FloodFill.h"
+#include "Distance/Pseudonormals.h"
+#include "Distance/WindingNumber.h"
+#include "Errors.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace evolving
+{
+
+namespace
+{
+
+constexpr double Threshold = 0.5; ///< of the winding number
+
+std::size_t at(GridIndex i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+SignChoice choiceForSurface(const OrientationSummary& surface)
+{
+  std::ostringstream reason;
+  if (surface.isClosed() && surface.isOriented() && !surface.componentsOverlap)
+  {
+    reason << "The surface is closed";
+    if (surface.turnedFaces > 0)
+    {
+      reason << " (" << surface.turnedFaces << " faces were turned outwards)";
+    }
+    reason << ", so the normal at the closest point gives the sign.";
+    return { SignMethod::Pseudonormal, reason.str() };
+  }
+  if (surface.boundaryEdges > 0)
+  {
+    reason << "The surface has " << surface.boundaryEdges << " boundary edges";
+  }
+  else if (surface.nonManifoldEdges > 0)
+  {
+    reason << "The surface has " << surface.nonManifoldEdges << " edges of more than two faces";
+  }
+  else if (!surface.isOriented())
+  {
+    reason << "The surface is one-sided";
+  }
+  else
+  {
+    reason << "The surface has " << surface.components
+           << " components that may intersect or enclose each other";
+  }
+  reason << ", so the winding number gives the sign.";
+  return { SignMethod::WindingNumber, reason.str() };
+}
+
+std::vector<char> insideByPseudonormal(const DistanceTarget& target, const AABBTree& tree,
+  const DistanceGrid& grid, const std::vector<Index>& triangles, const Execution& execution)
+{
+  const Pseudonormals normals(target.mesh);
+  std::vector<char> inside(triangles.size(), 0);
+  forEachSample(grid, execution,
+    [&](GridIndex sample, const Vec3& point)
+    {
+      const Index triangle = triangles[at(sample)];
+      const TrianglePoint closest = closestPointOnTriangle(point, tree.triangle(triangle));
+      inside[at(sample)] = normals.isInside(point, triangle, closest);
+    });
+  return inside;
+}
+
+/**
+ * Carries the side of one sample on to the next, where nothing can have changed it. Between
+ * crossings of the surface the winding number changes only by the field of the surface's open
+ * edges, by Biot and Savart at most length / (4 pi distance^2) per unit of way, and the edges
+ * are no closer than the surface.
+ */
+class WindingRun
+{
+public:
+  WindingRun(const WindingNumber& winding, double openLength, double step)
+    : Winding(winding)
+    , ChangePerStep(openLength * step / (4.0 * 3.14159265358979323846))
+    , Step(step)
+  {
+  }
+
+  bool isInside(const Vec3& point, double clearance)
+  {
+    constexpr double Rounding = 1.0 + 1e-6;
+    const double gap = 0.5 * (this->LastClearance + clearance - Rounding * this->Step);
+    this->LastClearance = clearance;
+    this->Margin -= gap > 0.0 ? this->ChangePerStep / (gap * gap) : this->Margin + 1.0;
+    if (this->Margin < 0.0)
+    {
+      const double winding = this->Winding.at(point);
+      this->Inside = winding > Threshold;
+      this->Margin = std::abs(winding - Threshold) - 2.0 * WindingNumber::Tolerance;
+    }
+    return this->Inside;
+  }
+
+private:
+  const WindingNumber& Winding;
+  double ChangePerStep;
+  double Step;
+  double LastClearance = 0.0;
+  double Margin = -1.0; ///< by how much the winding number may change without a doubt
+  bool Inside = false;
+};
+
+std::vector<char> insideByWindingNumber(const DistanceTarget& target, const AABBTree& tree,
+  const DistanceGrid& grid, const std::vector<float>& clearance, const Execution& execution)
+{
+  const WindingNumber winding(tree.triangles());
+  std::vector<char> inside(clearance.size(), 0);
+  const int width = grid.dimension(0);
+  const Extent& e = grid.extent;
+  constexpr std::int64_t RowGrain = 16;
+  execution.forRangeReporting(std::int64_t(grid.dimension(1)) * grid.dimension(2), RowGrain,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t row = begin; row < end; ++row)
+      {
+        const int j = e[2] + static_cast<int>(row % grid.dimension(1));
+        const int k = e[4] + static_cast<int>(row / grid.dimension(1));
+        WindingRun run(winding, target.orientation.openLength, grid.spacing.x());
+        for (int i = 0; i < width; ++i)
+        {
+          const std::size_t sample = at(row * width + i);
+          inside[sample] =
+            run.isInside(grid.point(e[0] + i, j, k), static_cast<double>(clearance[sample]));
+        }
+      }
+    });
+  return inside;
+}
+
+Vec3 samplePoint(const DistanceGrid& grid, GridIndex sample)
+{
+  const GridIndex row = sample / grid.dimension(0);
+  return grid.point(grid.extent[0] + static_cast<int>(sample % grid.dimension(0)),
+    grid.extent[2] + static_cast<int>(row % grid.dimension(1)),
+    grid.extent[4] + static_cast<int>(row / grid.dimension(1)));
+}
+
+std::vector<char> insideByFloodFill(const DistanceTarget& target, const AABBTree& tree,
+  const DistanceGrid& grid, const UnsignedSamples& samples, const Execution& execution)
+{
+  const Pseudonormals normals(target.mesh);
+  const auto cellRadius = static_cast<float>(0.5 * grid.spacing.norm());
+  FloodFillQueries queries;
+  queries.isNearSurface = [&](GridIndex sample) {
+    return samples.triangle[at(sample)] != NoIndex && samples.clearance[at(sample)] <= cellRadius;
+  };
+  queries.isBehindSurface = [&](GridIndex sample)
+  {
+    const Vec3 point = samplePoint(grid, sample);
+    const Index triangle = samples.triangle[at(sample)];
+    return normals.isInside(
+      point, triangle, closestPointOnTriangle(point, tree.triangle(triangle)));
+  };
+  WindingNumber winding({});
+  if (!containsAll(grid, tree))
+  {
+    winding = WindingNumber(tree.triangles());
+    queries.isInside = [&](GridIndex sample)
+    { return winding.at(samplePoint(grid, sample)) > Threshold; };
+  }
+  return floodFill(grid, samples.clearance, queries, execution);
+}
+
+} // namespace
+
+SignChoice chooseSignMethod(SignMethod asked, const DistanceTarget& target)
+{
+  if (target.isPointSet)
+  {
+    if (asked != SignMethod::Automatic && asked != SignMethod::Unsigned)
+    {
+      throw InputError("The input has points but no faces, so it has no inside; expected a "
+                       "surface, or the sign method Unsigned or Automatic.");
+    }
+    return { SignMethod::Unsigned, "Points have no inside, so the distance is unsigned." };
+  }
+  if (asked != SignMethod::Automatic)
+  {
+    return { asked, "The sign method was chosen by the user." };
+  }
+  return choiceForSurface(target.orientation);
+}
+
+std::vector<char> samplesInside(SignMethod method, const DistanceTarget& target,
+  const AABBTree& tree, const DistanceGrid& grid, const UnsignedSamples& samples,
+  const Execution& execution)
+{
+  switch (method)
+  {
+    case SignMethod::FloodFill:
+      return insideByFloodFill(target, tree, grid, samples, execution);
+    case SignMethod::WindingNumber:
+      return insideByWindingNumber(target, tree, grid, samples.clearance, execution);
+    case SignMethod::Pseudonormal:
+      return insideByPseudonormal(target, tree, grid, samples.triangle, execution);
+    case SignMethod::Automatic:
+    case SignMethod::Unsigned:
+      break;
+  }
+  return std::vector<char>(samples.clearance.size(), 0);
+}
+
+} // namespace evolving

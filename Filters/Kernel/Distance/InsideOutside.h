@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * Which samples are inside: the choice of a method and the methods.
+ */
+
+#ifndef EVOLVING_INSIDE_OUTSIDE_H
+#define EVOLVING_INSIDE_OUTSIDE_H
+
+#include "Distance/AABBTree.h"
+#include "Distance/DistanceGrid.h"
+#include "Distance/DistanceTarget.h"
+#include "Distance/SignedDistance.h"
+#include "Execution.h"
+
+#include <string>
+#include <vector>
+
+namespace evolving
+{
+
+struct SignChoice
+{
+  SignMethod method = SignMethod::Unsigned; ///< never Automatic
+  std::string reason;                       ///< one sentence for the user
+};
+
+/**
+ * The method asked for, or, for Automatic: the pseudonormal for a closed surface whose
+ * components are apart, the winding number for any other surface (holes, edges of three faces,
+ * one-sided, intersecting or nested components), unsigned for points. Never a method that needs
+ * the whole grid.
+ * @throws InputError when points are asked for an inside
+ */
+SignChoice chooseSignMethod(SignMethod asked, const DistanceTarget& target);
+
+/// What is known of the samples before they are given a sign.
+struct UnsignedSamples
+{
+  std::vector<Index> triangle;  ///< closest to each sample; NoIndex where not known
+  std::vector<float> clearance; ///< a lower bound for each sample's distance to the surface
+};
+
+/**
+ * @param method not Automatic
+ * @param samples every triangle known for Pseudonormal, those beside the surface for FloodFill,
+ * none for WindingNumber
+ * @return not 0 for the samples of the grid that are inside
+ * @throws Cancelled
+ */
+std::vector<char> samplesInside(SignMethod method, const DistanceTarget& target,
+  const AABBTree& tree, const DistanceGrid& grid, const UnsignedSamples& samples,
+  const Execution& execution = {});
+
+} // namespace evolving
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * Polygons cut into triangles.
+ */
+
+#ifndef EVOLVING_POLYGON_TRIANGULATION_H
+#define EVOLVING_POLYGON_TRIANGULATION_H
+
+#include "Mesh/SurfaceMesh.h"
+#include "Types.h"
+
+#include <array>
+#include <vector>
+
+namespace evolving
+{
+
+/**
+ * Cuts a polygon into corners.size() - 2 triangles by clipping ears, the ear with the shortest
+ * cut first: right for every simple planar polygon, convex or not, and a reasonable surface for
+ * one that is not planar.
+ * @return numbers of the polygon's corners, three per triangle, in the polygon's orientation
+ */
+std::vector<std::array<Index, 3>> triangulatePolygon(const std::vector<Vec3>& corners);
+
+/**
+ * The mesh with every face cut into triangles.
+ * @param[out] oldFace for every triangle the face it comes from
+ */
+SurfaceMesh triangulate(const SurfaceMesh& mesh, std::vector<Index>& oldFace);
+
+} // namespace evolving
+
+#endif

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * Which triangles touch which.
+ */
+
+#ifndef EVOLVING_TRIANGLE_NEIGHBOURS_H
+#define EVOLVING_TRIANGLE_NEIGHBOURS_H
+
+#include "Mesh/SurfaceMesh.h"
+#include "Types.h"
+
+#include <vector>
+
+namespace evolving
+{
+
+/// For every triangle of a mesh those that share a vertex with it.
+class TriangleNeighbours
+{
+public:
+  /// Around a vertex of more triangles than this they do not count as neighbours: a fan of n
+  /// triangles would make n^2 pairs.
+  static constexpr Index LargestFan = 24;
+
+  /// @param mesh of triangles only
+  explicit TriangleNeighbours(const SurfaceMesh& mesh);
+
+  const Index* begin(Index triangle) const { return this->first(triangle); }
+  const Index* end(Index triangle) const { return this->first(triangle + 1); }
+
+private:
+  const Index* first(Index triangle) const
+  {
+    return this->Neighbours.data() + this->Offsets[static_cast<std::size_t>(triangle)];
+  }
+
+  std::vector<std::size_t> Offsets{ 0 };
+  std::vector<Index> Neighbours;
+};
+
+} // namespace evolving
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * Which elements a move of their points would spoil.
+ */
+
+#ifndef EVOLVING_ELEMENT_GUARD_H
+#define EVOLVING_ELEMENT_GUARD_H
+
+#include "Execution.h"
+#include "Mesh/SurfaceMesh.h"
+
+#include <vector>
+
+namespace evolving
+{
+
+/// An element may lose angle as long as its smallest one stays above this, in degrees.
+constexpr double GoodAngle = 20.0;
+
+/**
+ * A move spoils an element when a corner that was convex, seen along the element's normal before
+ * the move, is not after it, or when the element's smallest angle drops and is below GoodAngle.
+ * @param mesh at the points after the move
+ * @param before the points before it
+ * @return one flag per face
+ */
+std::vector<char> spoiledElements(
+  const SurfaceMesh& mesh, const std::vector<Vec3>& before, const Execution& execution);
+
+} // namespace evolving
+
+#endif

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * The parameters of an evolution and of its tangential velocities.
+ */
+
+#ifndef EVOLVING_FLOW_OPTIONS_H
+#define EVOLVING_FLOW_OPTIONS_H
+
+namespace evolving
+{
+
+/// What the scalar image is.
+enum class FieldMode
+{
+  DistanceField = 0, ///< signed distance, the flow of section 3.2, (3.7) to (3.9)
+  EdgeDetector = 1,  ///< an image I, or e itself when edgeSharpness is 0
+};
+
+/// What the volume-based redistribution makes the co-volumes proportional to: 1 / f(H), (3.21).
+enum class CurvatureControl
+{
+  None = 0, ///< f = 1: uniform
+  CubeRoot = 1,
+  TwoThirds = 2,
+  Exponential = 3,
+};
+
+/// Section 6.2's cure for the accumulation of vertices by the angle-based velocity.
+enum class AngleWeighting
+{
+  None = 0,
+  InverseArea = 1,
+  Distance = 2,
+};
+
+/// What boundary vertices may do.
+enum class BoundaryMode
+{
+  Fixed = 0,
+  SlideAlong = 1, ///< along the boundary curve only; corners stay
+  Free = 2,
+};
+
+/// Rates of the tangential velocities, 1/time; 0 switches a term off (section 3.3).
+struct RedistributionOptions
+{
+  double volume = 0.0;
+  double angle = 0.0;
+  double length = 0.0;
+  AngleWeighting angleWeighting = AngleWeighting::None;
+  CurvatureControl curvatureControl = CurvatureControl::None;
+  double curvatureControlAlpha = 1.0; ///< length, or fraction of L in relative units
+
+  bool isActive() const { return this->volume > 0.0 || this->angle > 0.0 || this->length > 0.0; }
+};
+
+bool operator==(const RedistributionOptions& a, const RedistributionOptions& b);
+
+struct FlowOptions
+{
+  double timeStep = 0.01;
+  int numberOfSteps = 100;
+  double curvatureSpeed = 1.0;   ///< C1 of (3.7), b of an edge detector; epsilon without a field
+  double curvatureRange = 1.0;   ///< C2 of (3.7)
+  double advectionSpeed = 1.0;   ///< C of (3.8); a of an edge detector
+  double advectionBalance = 0.0; ///< D of (3.8), in [0, 1]
+  bool relativeUnits = true;     ///< C1, S0, C2 times L^2 and alpha times L
+  FieldMode fieldMode = FieldMode::DistanceField;
+  double edgeSharpness = 0.0; ///< K
+  bool unsignedField = false; ///< D = 0 within two cells of the target
+  RedistributionOptions redistribution;
+  int smoothingSteps = 0;
+  double smoothingSpeed = 0.0; ///< S0
+  double smoothingDecay = 0.0; ///< lambda, per smoothing step
+  BoundaryMode boundaryMode = BoundaryMode::Fixed;
+  double surfaceGuard = 2.0;         ///< of the start's box; leaving it ends a run without field
+  double convergenceTolerance = 0.0; ///< fraction of L; 0 = run all steps
+  double solverTolerance = 1e-10;
+};
+
+bool operator==(const FlowOptions& a, const FlowOptions& b);
+
+/**
+ * @throws InputError when a parameter is not a finite number or out of its range: the time step
+ * and curvatureRange positive, counts, speeds and rates not negative, advectionBalance in [0, 1],
+ * solverTolerance in (0, 0.1], surfaceGuard at least 1.
+ */
+void checkOptions(const FlowOptions& options);
+void checkOptions(const RedistributionOptions& options);
+
+/**
+ * The options with all lengths in the input's unit: C1, S0 and C2 times L^2 and alpha times L.
+ * For an edge detector a and K, an area per time and an area per squared intensity, are
+ * multiplied by L^2 too. Unchanged when they are absolute already.
+ * @param lengthUnit L
+ */
+FlowOptions inAbsoluteUnits(const FlowOptions& options, double lengthUnit);
+
+} // namespace evolving
+
+#endif

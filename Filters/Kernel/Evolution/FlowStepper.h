@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * A surface on its way: its velocities at the current state, and the motion by them.
+ */
+
+#ifndef EVOLVING_FLOW_STEPPER_H
+#define EVOLVING_FLOW_STEPPER_H
+
+#include "Evolution/ControlFunctions.h"
+#include "Evolution/EvolutionStep.h"
+#include "Evolution/FlowOptions.h"
+#include "Evolution/SurfaceCurves.h"
+#include "Evolution/SurfaceFlow.h"
+#include "Evolution/SurfaceGeometry.h"
+#include "Evolution/TangentialVelocity.h"
+#include "Execution.h"
+#include "Mesh/MeshTopology.h"
+#include "Mesh/SurfaceMesh.h"
+
+#include <memory>
+#include <vector>
+
+namespace evolving
+{
+
+/// Where a surface with given faces is.
+struct SurfacePosition
+{
+  std::vector<Vec3> points;
+  SurfaceCurves::Positions onCurves; ///< of boundary vertices that slide
+};
+
+/**
+ * Evaluates (4.1) and advances by (4.16), without knowing of steps, retries or ends.
+ * Not movable: its parts refer to each other.
+ */
+class FlowStepper
+{
+public:
+  /**
+   * @param options in absolute units
+   * @param size a length: L
+   * @param timeStep the length of advance() that velocities are limited for
+   * @throws InputError
+   */
+  FlowStepper(SurfaceMesh start, std::shared_ptr<const ScalarImage> field,
+    const FlowOptions& options, double size, double timeStep, const Execution& execution);
+  FlowStepper(const FlowStepper&) = delete;
+  FlowStepper& operator=(const FlowStepper&) = delete;
+
+  const SurfaceMesh& mesh() const { return this->Mesh; }
+  SurfacePosition position() const { return { this->Mesh.points, this->OnCurves }; }
+  void setPosition(const SurfacePosition& position);
+
+  /// Computes the velocities of the normal evolution. @throws SolverError, Cancelled
+  void evaluateFlow(const Execution& execution);
+  /// Computes the velocities of a smoothing step. @throws SolverError, Cancelled
+  void evaluateSmoothing(double epsilon, const Execution& execution);
+
+  /// Moves the points; the velocities are those of before until the next evaluation.
+  /// @throws SolverError, Cancelled
+  void advance(double timeStep, const Execution& execution);
+
+  /// Of the last evaluation.
+  FlowArrays arrays() const;
+  const SurfaceGeometry& geometry() const { return this->Geometry; }
+  const std::vector<double>& distance() const { return this->Controls.value; }
+  /// Of the last evaluation and of the last advance().
+  int evaluationIterations() const { return this->Tangential.iterations(); }
+  int advanceIterations() const { return this->Step.iterations(); }
+
+private:
+  void evaluateVelocities(const Execution& execution);
+  bool isHeld(Index vertex) const;
+
+  SurfaceMesh Mesh;
+  FlowOptions Options;
+  double Size;
+  double TimeStep;
+  MeshTopology Topology;
+  SurfaceCurves Curves;
+  SurfaceCurves::Positions OnCurves;
+  SurfaceGeometry Geometry;
+  ControlField Field;
+  TangentialVelocity Tangential;
+  EvolutionStep Step;
+  ControlValues Controls;
+  std::vector<Vec3> NormalVelocity;  ///< v_N
+  std::vector<Vec3> TangentVelocity; ///< v_T
+};
+
+} // namespace evolving
+
+#endif

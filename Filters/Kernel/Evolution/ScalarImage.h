@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * A sampled scalar field (a distance image, an image to segment) evaluated between its samples.
+ */
+
+#ifndef EVOLVING_SCALAR_IMAGE_H
+#define EVOLVING_SCALAR_IMAGE_H
+
+#include "Distance/DistanceGrid.h"
+#include "Types.h"
+
+#include <vector>
+
+namespace evolving
+{
+
+/**
+ * Trilinear interpolation of values, and of central differences at the samples. Outside the
+ * grid: the value at the closest point of the grid plus the distance to it, with the gradient
+ * turned outwards: the field is continued, never clamped to zero speed. Along an axis of one
+ * sample the field is constant.
+ */
+class ScalarImage
+{
+public:
+  struct Sample
+  {
+    double value = 0.0;
+    Vec3 gradient = Vec3::Zero(); ///< not normalized
+  };
+
+  /// @param values one per sample of the grid, x fastest; copied in. @throws InputError
+  ScalarImage(const DistanceGrid& grid, std::vector<float> values);
+
+  Sample at(const Vec3& point) const;
+  /// Central differences at a sample, one-sided at the border, zero along an axis of one sample.
+  Vec3 gradientAtSample(int i, int j, int k) const;
+  const DistanceGrid& grid() const { return this->Grid; }
+  const std::vector<float>& values() const { return this->Values; }
+  /// The box of the samples with a value of at most zero: empty when there is none.
+  Box insideBox() const;
+
+private:
+  DistanceGrid Grid;
+  std::vector<float> Values;
+};
+
+} // namespace evolving
+
+#endif

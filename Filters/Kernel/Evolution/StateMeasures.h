@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * The numbers that describe a state of the evolution.
+ */
+
+#ifndef EVOLVING_STATE_MEASURES_H
+#define EVOLVING_STATE_MEASURES_H
+
+#include "Evolution/SurfaceFlow.h"
+#include "Execution.h"
+#include "Mesh/SurfaceMesh.h"
+
+namespace evolving
+{
+
+/**
+ * Fills in area, volume, mean and largest |d| (0 without distances; the mean is over the
+ * surface) and the smallest corner angle in degrees. Leaves the other numbers.
+ * @param arrays coVolume and distance are read
+ */
+void measureState(const SurfaceMesh& mesh, const FlowArrays& arrays, FlowRecord& record,
+  const Execution& execution);
+
+/// The smallest corner angle of all faces in degrees; 0 when an edge has no length.
+double smallestCornerAngle(const SurfaceMesh& mesh, const Execution& execution);
+
+} // namespace evolving
+
+#endif

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Evolution/SubSteps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace evolving
+{
+
+SubSteps divideStep(
+  double timeStep, const RedistributionOptions& redistribution, double advectionRate)
+{
+  const double wanted = timeStep *
+    std::max({ redistribution.volume / ExplicitLimits::Volume,
+      redistribution.angle / ExplicitLimits::Angle, redistribution.length / ExplicitLimits::Length,
+      advectionRate / ExplicitLimits::Advection });
+  SubSteps parts;
+  // A rate that just reaches its limit, but for rounding, needs no second part.
+  parts.count =
+    static_cast<int>(std::clamp(std::ceil(wanted * (1.0 - 1e-12)), 1.0, double(MostSubSteps)));
+  parts.timeStep = timeStep / parts.count;
+  return parts;
+}
+
+RedistributionOptions limitRates(const RedistributionOptions& options, double subStep)
+{
+  RedistributionOptions limited = options;
+  limited.volume = std::min(options.volume, ExplicitLimits::Volume / subStep);
+  limited.angle = std::min(options.angle, ExplicitLimits::Angle / subStep);
+  limited.length = std::min(options.length, ExplicitLimits::Length / subStep);
+  return limited;
+}
+
+} // namespace evolving

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * Tangential redistribution alone: the points of a surface move along it until its elements are
+ * even, or denser where it is curved.
+ */
+
+#ifndef EVOLVING_SURFACE_REDISTRIBUTION_H
+#define EVOLVING_SURFACE_REDISTRIBUTION_H
+
+#include "Evolution/FlowOptions.h"
+#include "Evolution/SurfaceFlow.h"
+#include "Execution.h"
+#include "Mesh/SurfaceMesh.h"
+
+namespace evolving
+{
+
+struct SurfaceRedistributionOptions
+{
+  int numberOfSteps = 50;
+  double timeStep = 0.1;
+  /// curvatureControlAlpha in units of half the diagonal of the surface's box.
+  RedistributionOptions redistribution = { 1.0, 1.0, 0.0, AngleWeighting::None,
+    CurvatureControl::None, 0.1 };
+  bool preserveShape = true; ///< points end on the input surface
+  BoundaryMode boundaryMode = BoundaryMode::SlideAlong;
+  double featureAngle = 40.0; ///< degrees between face normals above which an edge is sharp
+};
+
+struct SurfaceRedistributionResult
+{
+  SurfaceMesh mesh;  ///< the input's faces, new points
+  FlowArrays arrays; ///< at the end; those that belong to a field are empty
+};
+
+/**
+ * Moves the points by v_T of section 3.3. Points of sharp edges and, with SlideAlong, of the
+ * boundary slide along the input's curves; points where such curves end, meet or turn by more than
+ * the feature angle stay. A move is shortened, to zero if need be, when it would turn a corner of
+ * an element over, or would leave an element with a smallest angle below 20 degrees and smaller
+ * than before: so the mesh's smallest angle never falls below the smaller of the two.
+ * @param surface an oriented manifold, closed or with boundary
+ * @throws InputError for options out of range or a surface that cannot be used
+ * @throws Cancelled
+ */
+SurfaceRedistributionResult redistributeSurface(const SurfaceMesh& surface,
+  const SurfaceRedistributionOptions& options, const Execution& execution = {});
+
+} // namespace evolving
+
+#endif

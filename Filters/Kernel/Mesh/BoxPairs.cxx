@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Mesh/BoxPairs.h"
+
+#include <algorithm>
+
+namespace evolving
+{
+
+namespace
+{
+
+std::size_t at(Index i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+/**
+ * Boxes in an order in which every half of every half of the sequence is compact, with the box
+ * around each. A range [begin, end) longer than a leaf splits at its middle, which belongs to no
+ * other range, so that its box is stored under that number and the tree needs no links.
+ */
+class HalvedBoxes
+{
+public:
+  explicit HalvedBoxes(const std::vector<Box>& boxes)
+    : Boxes(boxes)
+    , RangeBoxes(boxes.size())
+  {
+    for (Index i = 0; i < static_cast<Index>(boxes.size()); ++i)
+    {
+      if (!boxes[at(i)].isEmpty())
+      {
+        this->Order.push_back(i);
+      }
+    }
+    this->build(0, this->count());
+    for (const Index i : this->Order)
+    {
+      this->Ordered.push_back(boxes[at(i)]);
+    }
+  }
+
+  Index count() const { return static_cast<Index>(this->Order.size()); }
+  /// The number that the box at a position of the sequence had.
+  Index number(Index position) const { return this->Order[at(position)]; }
+
+  /// Calls visit(other) for each later position whose box overlaps the one at a position.
+  template <typename Visit>
+  void forEachLaterOverlap(Index position, const Visit& visit) const
+  {
+    this->search(position, 0, this->count(), visit);
+  }
+
+private:
+  static constexpr Index LeafSize = 4;
+
+  static Index middle(Index begin, Index end) { return begin + (end - begin) / 2; }
+
+  void build(Index begin, Index end)
+  {
+    Box range;
+    Box centers;
+    for (Index position = begin; position < end; ++position)
+    {
+      const Box& box = this->Boxes[at(this->Order[at(position)])];
+      range.extend(box);
+      centers.extend(box.center());
+    }
+    const Index half = middle(begin, end);
+    if (end > begin)
+    {
+      this->RangeBoxes[at(half)] = range;
+    }
+    if (end - begin > LeafSize)
+    {
+      Eigen::Index axis = 0;
+      centers.sizes().maxCoeff(&axis);
+      const auto center = [&](Index i)
+      { return this->Boxes[at(i)].min()[axis] + this->Boxes[at(i)].max()[axis]; };
+      std::nth_element(this->Order.begin() + begin, this->Order.begin() + half,
+        this->Order.begin() + end, [&](Index i, Index j) { return center(i) < center(j); });
+      this->build(begin, half);
+      this->build(half, end);
+    }
+  }
+
+  template <typename Visit>
+  void search(Index position, Index begin, Index end, const Visit& visit) const
+  {
+    const Box& box = this->Ordered[at(position)];
+    const Index half = middle(begin, end);
+    if (end <= position + 1 || !this->RangeBoxes[at(half)].intersects(box))
+    {
+      return;
+    }
+    if (end - begin > LeafSize)
+    {
+      this->search(position, begin, half, visit);
+      this->search(position, half, end, visit);
+      return;
+    }
+    for (Index other = std::max(begin, position + 1); other < end; ++other)
+    {
+      if (this->Ordered[at(other)].intersects(box))
+      {
+        visit(other);
+      }
+    }
+  }
+
+  const std::vector<Box>& Boxes;
+  std::vector<Index> Order;
+  std::vector<Box> Ordered;
+  std::vector<Box> RangeBoxes;
+};
+
+} // namespace
+
+std::vector<IndexPair> overlappingPairs(
+  const std::vector<Box>& boxes, const PairPredicate& isWanted, const Execution& execution)
+{
+  constexpr std::int64_t Grain = 128;
+  const HalvedBoxes halved(boxes);
+  std::vector<std::vector<IndexPair>> found(at(halved.count()) / Grain + 1);
+  execution.forRangeReporting(halved.count(), Grain,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      std::vector<IndexPair>& pairs = found[static_cast<std::size_t>(begin / Grain)];
+      for (auto position = static_cast<Index>(begin); position < static_cast<Index>(end);
+           ++position)
+      {
+        halved.forEachLaterOverlap(position,
+          [&](Index other)
+          {
+            const IndexPair pair = std::minmax({ halved.number(position), halved.number(other) });
+            if (isWanted(pair.first, pair.second))
+            {
+              pairs.push_back(pair);
+            }
+          });
+      }
+    });
+  std::vector<IndexPair> all;
+  for (const std::vector<IndexPair>& pairs : found)
+  {
+    all.insert(all.end(), pairs.begin(), pairs.end());
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+} // namespace evolving

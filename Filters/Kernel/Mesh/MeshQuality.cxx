@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Mesh/MeshQuality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace evolving
+{
+
+namespace
+{
+
+constexpr double DegreesPerRadian = 57.29577951308232;
+
+double cornerAngle(const SurfaceMesh& mesh, Index face, Index k)
+{
+  const Index size = mesh.faceSize(face);
+  const Vec3& corner = mesh.facePoint(face, k);
+  const Vec3 a = mesh.facePoint(face, (k + 1) % size) - corner;
+  const Vec3 b = mesh.facePoint(face, (k + size - 1) % size) - corner;
+  const double sine = a.cross(b).norm();
+  const double cosine = a.dot(b);
+  // A corner with a vanishing edge counts as collapsed; atan2(0, -0) would be a straight angle.
+  return cosine == 0.0 && sine == 0.0 ? 0.0 : DegreesPerRadian * std::atan2(sine, cosine);
+}
+
+std::vector<double> smallestAngles(const SurfaceMesh& mesh)
+{
+  std::vector<double> angles(static_cast<std::size_t>(mesh.faceCount()));
+  for (Index face = 0; face < mesh.faceCount(); ++face)
+  {
+    angles[static_cast<std::size_t>(face)] = smallestAngle(mesh, face);
+  }
+  return angles;
+}
+
+} // namespace
+
+double smallestAngle(const SurfaceMesh& mesh, Index face)
+{
+  double smallest = std::numeric_limits<double>::max();
+  for (Index k = 0; k < mesh.faceSize(face); ++k)
+  {
+    smallest = std::min(smallest, cornerAngle(mesh, face, k));
+  }
+  return smallest;
+}
+
+AngleSummary summarizeAngles(const SurfaceMesh& mesh)
+{
+  std::vector<double> angles = smallestAngles(mesh);
+  if (angles.empty())
+  {
+    return {};
+  }
+  AngleSummary summary;
+  summary.mean =
+    std::accumulate(angles.begin(), angles.end(), 0.0) / static_cast<double>(angles.size());
+  const auto percentile = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 100);
+  std::nth_element(angles.begin(), percentile, angles.end());
+  summary.firstPercentile = *percentile;
+  summary.smallest = *std::min_element(angles.begin(), percentile + 1);
+  return summary;
+}
+
+double smallestAngle(const SurfaceMesh& mesh)
+{
+  return summarizeAngles(mesh).smallest;
+}
+
+double meanEdgeLength(const SurfaceMesh& mesh)
+{
+  double sum = 0.0;
+  for (Index face = 0; face < mesh.faceCount(); ++face)
+  {
+    const Index size = mesh.faceSize(face);
+    for (Index k = 0; k < size; ++k)
+    {
+      sum += (mesh.facePoint(face, (k + 1) % size) - mesh.facePoint(face, k)).norm();
+    }
+  }
+  return mesh.cornerCount() > 0 ? sum / static_cast<double>(mesh.cornerCount()) : 0.0;
+}
+
+} // namespace evolving

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Mesh/SurfaceMesh.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace evolving
+{
+
+namespace
+{
+
+std::size_t at(Index i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+/// The vertices that faces use, in ascending order.
+std::vector<Index> usedVertices(const SurfaceMesh& mesh)
+{
+  std::vector<char> used(mesh.points.size(), 0);
+  for (const Index v : mesh.cornerVertices)
+  {
+    used[at(v)] = 1;
+  }
+  std::vector<Index> vertices;
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (used[at(v)])
+    {
+      vertices.push_back(v);
+    }
+  }
+  return vertices;
+}
+
+/**
+ * For every used point the smallest number of a used point with the same coordinates. Unused
+ * points stay out of it: they may be NaN, which has no order.
+ */
+std::vector<Index> firstOfEqualPoints(const SurfaceMesh& mesh)
+{
+  const std::vector<Vec3>& points = mesh.points;
+  std::vector<Index> order = usedVertices(mesh);
+  const auto less = [&points](Index a, Index b)
+  {
+    const Vec3& p = points[at(a)];
+    const Vec3& q = points[at(b)];
+    return std::tie(p[0], p[1], p[2], a) < std::tie(q[0], q[1], q[2], b);
+  };
+  std::sort(order.begin(), order.end(), less);
+  std::vector<Index> first(points.size(), NoIndex);
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const bool equalsLast = i > 0 && points[at(order[i])] == points[at(order[i - 1])];
+    first[at(order[i])] = equalsLast ? first[at(order[i - 1])] : order[i];
+  }
+  return first;
+}
+
+/// The face's vertices after welding, without consecutive repetitions.
+std::vector<Index> weldedFace(const SurfaceMesh& mesh, Index face, const std::vector<Index>& first)
+{
+  std::vector<Index> vertices;
+  for (Index k = 0; k < mesh.faceSize(face); ++k)
+  {
+    const Index vertex = first[at(mesh.faceVertex(face, k))];
+    if (vertices.empty() || vertices.back() != vertex)
+    {
+      vertices.push_back(vertex);
+    }
+  }
+  while (vertices.size() > 1 && vertices.front() == vertices.back())
+  {
+    vertices.pop_back();
+  }
+  return vertices;
+}
+
+bool hasRepeatedVertex(std::vector<Index> vertices)
+{
+  std::sort(vertices.begin(), vertices.end());
+  return std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
+}
+
+/// Gives the vertices that faces use consecutive numbers in their old order.
+void dropUnusedPoints(
+  const std::vector<Vec3>& points, SurfaceMesh& mesh, std::vector<Index>* oldVertex)
+{
+  std::vector<Index> number(points.size(), NoIndex);
+  for (const Index vertex : mesh.cornerVertices)
+  {
+    number[at(vertex)] = 0;
+  }
+  if (oldVertex)
+  {
+    oldVertex->clear();
+  }
+  for (std::size_t v = 0; v < points.size(); ++v)
+  {
+    if (number[v] != NoIndex)
+    {
+      number[v] = mesh.addPoint(points[v]);
+      if (oldVertex)
+      {
+        oldVertex->push_back(static_cast<Index>(v));
+      }
+    }
+  }
+  for (Index& vertex : mesh.cornerVertices)
+  {
+    vertex = number[at(vertex)];
+  }
+}
+
+} // namespace
+
+SurfaceMesh weldCoincidentPoints(
+  const SurfaceMesh& mesh, std::vector<Index>* oldVertex, std::vector<Index>* oldFace)
+{
+  const std::vector<Index> first = firstOfEqualPoints(mesh);
+  SurfaceMesh welded;
+  welded.cornerVertices.reserve(mesh.cornerVertices.size());
+  welded.faceOffsets.reserve(mesh.faceOffsets.size());
+  if (oldFace)
+  {
+    oldFace->clear();
+  }
+  for (Index face = 0; face < mesh.faceCount(); ++face)
+  {
+    const std::vector<Index> vertices = weldedFace(mesh, face, first);
+    if (vertices.size() >= 3 && !hasRepeatedVertex(vertices))
+    {
+      welded.addFace(vertices);
+      if (oldFace)
+      {
+        oldFace->push_back(face);
+      }
+    }
+  }
+  dropUnusedPoints(mesh.points, welded, oldVertex);
+  return welded;
+}
+
+} // namespace evolving

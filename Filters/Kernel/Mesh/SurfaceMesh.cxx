@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Mesh/SurfaceMesh.h"
+
+#include "Errors.h"
+
+#include <sstream>
+
+namespace evolving
+{
+
+namespace
+{
+
+std::size_t at(Index i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+void requireFinitePoint(const SurfaceMesh& mesh, Index vertex)
+{
+  if (!mesh.points[at(vertex)].allFinite())
+  {
+    std::ostringstream message;
+    message << "Point " << vertex << " has the coordinates (" << mesh.points[at(vertex)].transpose()
+            << "), expected finite numbers; remove or repair it before this filter.";
+    throw InputError(message.str());
+  }
+}
+
+void requireValidFace(const SurfaceMesh& mesh, Index face)
+{
+  if (mesh.faceSize(face) < 3)
+  {
+    std::ostringstream message;
+    message << "Face " << face << " has " << mesh.faceSize(face)
+            << " corners, expected at least 3; remove it before this filter.";
+    throw InputError(message.str());
+  }
+  for (Index k = 0; k < mesh.faceSize(face); ++k)
+  {
+    const Index vertex = mesh.faceVertex(face, k);
+    if (vertex < 0 || vertex >= mesh.vertexCount())
+    {
+      std::ostringstream message;
+      message << "Face " << face << " refers to point " << vertex << ", but there are only "
+              << mesh.vertexCount() << " points; the file is damaged, export it again.";
+      throw InputError(message.str());
+    }
+    requireFinitePoint(mesh, vertex);
+  }
+}
+
+} // namespace
+
+Index SurfaceMesh::addPoint(const Vec3& point)
+{
+  this->points.push_back(point);
+  return this->vertexCount() - 1;
+}
+
+Index SurfaceMesh::addFace(std::initializer_list<Index> vertices)
+{
+  return this->addFace(std::vector<Index>(vertices));
+}
+
+Index SurfaceMesh::addFace(const std::vector<Index>& vertices)
+{
+  this->cornerVertices.insert(this->cornerVertices.end(), vertices.begin(), vertices.end());
+  this->faceOffsets.push_back(this->cornerCount());
+  return this->faceCount() - 1;
+}
+
+bool SurfaceMesh::hasOnlyTriangles() const
+{
+  for (Index face = 0; face < this->faceCount(); ++face)
+  {
+    if (this->faceSize(face) != 3)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+Box boundingBox(const SurfaceMesh& mesh)
+{
+  Box box;
+  for (const Index vertex : mesh.cornerVertices)
+  {
+    box.extend(mesh.points[at(vertex)]);
+  }
+  if (mesh.cornerVertices.empty())
+  {
+    for (const Vec3& point : mesh.points)
+    {
+      box.extend(point);
+    }
+  }
+  return box;
+}
+
+Vec3 faceVectorArea(const SurfaceMesh& mesh, Index face)
+{
+  // A fan about the first corner: exact for every planar polygon, convex or not.
+  const Vec3& base = mesh.facePoint(face, 0);
+  Vec3 twice = Vec3::Zero();
+  for (Index k = 1; k + 1 < mesh.faceSize(face); ++k)
+  {
+    twice += (mesh.facePoint(face, k) - base).cross(mesh.facePoint(face, k + 1) - base);
+  }
+  return 0.5 * twice;
+}
+
+double surfaceArea(const SurfaceMesh& mesh)
+{
+  double area = 0.0;
+  for (Index face = 0; face < mesh.faceCount(); ++face)
+  {
+    area += faceVectorArea(mesh, face).norm();
+  }
+  return area;
+}
+
+double signedVolume(const SurfaceMesh& mesh)
+{
+  const Box box = boundingBox(mesh);
+  if (box.isEmpty())
+  {
+    return 0.0;
+  }
+  const Vec3 center = box.center();
+  double sixfold = 0.0;
+  for (Index face = 0; face < mesh.faceCount(); ++face)
+  {
+    const Vec3 base = mesh.facePoint(face, 0) - center;
+    for (Index k = 1; k + 1 < mesh.faceSize(face); ++k)
+    {
+      const Vec3 second = mesh.facePoint(face, k) - center;
+      const Vec3 third = mesh.facePoint(face, k + 1) - center;
+      sixfold += base.dot(second.cross(third));
+    }
+  }
+  return sixfold / 6.0;
+}
+
+void validate(const SurfaceMesh& mesh)
+{
+  for (Index face = 0; face < mesh.faceCount(); ++face)
+  {
+    requireValidFace(mesh, face);
+  }
+  if (mesh.faceCount() == 0)
+  {
+    for (Index vertex = 0; vertex < mesh.vertexCount(); ++vertex)
+    {
+      requireFinitePoint(mesh, vertex);
+    }
+  }
+}
+
+} // namespace evolving

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Mesh/TrianglePairs.h"
+
+#include "Mesh/Orientation.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace evolving
+{
+
+namespace
+{
+
+using Triangle = std::array<Vec3, 3>;
+
+Triangle cornersOf(const std::vector<Vec3>& points, const TriangleVertices& vertices)
+{
+  const auto point = [&](std::size_t k) { return points[static_cast<std::size_t>(vertices[k])]; };
+  return { point(0), point(1), point(2) };
+}
+
+/// Moves the shared vertices to the front of both, in the same order, and returns their number.
+int alignShared(TriangleVertices& first, TriangleVertices& second)
+{
+  int shared = 0;
+  for (Index& vertex : first)
+  {
+    const auto found = std::find(second.begin() + shared, second.end(), vertex);
+    if (found != second.end())
+    {
+      std::swap(*found, second[static_cast<std::size_t>(shared)]);
+      std::swap(vertex, first[static_cast<std::size_t>(shared)]);
+      ++shared;
+    }
+  }
+  return shared;
+}
+
+/// Whether the closed segments pq and rs meet when a coordinate axis is dropped.
+bool segmentsMeetInProjection(int axis, const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s)
+{
+  const int rSide = planarOrientation(axis, p, q, r);
+  const int sSide = planarOrientation(axis, p, q, s);
+  const int pSide = planarOrientation(axis, r, s, p);
+  const int qSide = planarOrientation(axis, r, s, q);
+  if (rSide * sSide > 0 || pSide * qSide > 0)
+  {
+    return false;
+  }
+  if (rSide != 0 || sSide != 0 || pSide != 0 || qSide != 0)
+  {
+    return true;
+  }
+  // All on one line: they meet when their extents do, in both remaining coordinates.
+  const auto extentsMeet = [&](int i)
+  {
+    return std::max(std::min(p[i], q[i]), std::min(r[i], s[i])) <=
+      std::min(std::max(p[i], q[i]), std::max(r[i], s[i]));
+  };
+  return extentsMeet((axis + 1) % 3) && extentsMeet((axis + 2) % 3);
+}
+
+bool isInsideInProjection(int axis, const Vec3& p, const Triangle& t)
+{
+  const int sides[3] = { planarOrientation(axis, t[0], t[1], p),
+    planarOrientation(axis, t[1], t[2], p), planarOrientation(axis, t[2], t[0], p) };
+  return *std::min_element(sides, sides + 3) >= 0 || *std::max_element(sides, sides + 3) <= 0;
+}
+
+/**
+ * Whether a segment in the plane of a triangle meets it: it does when it does in all three
+ * projections, for at least one of them is one-to-one on the plane, and in the others the shadows
+ * of sets that meet meet as well.
+ */
+bool coplanarSegmentMeets(const Vec3& p, const Vec3& q, const Triangle& t)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!isInsideInProjection(axis, p, t) && !segmentsMeetInProjection(axis, p, q, t[0], t[1]) &&
+      !segmentsMeetInProjection(axis, p, q, t[1], t[2]) &&
+      !segmentsMeetInProjection(axis, p, q, t[2], t[0]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Whether the segment pq meets a triangle on whose sides pSide and qSide its ends lie.
+bool segmentMeets(const Vec3& p, const Vec3& q, int pSide, int qSide, const Triangle& t)
+{
+  if (pSide * qSide > 0)
+  {
+    return false;
+  }
+  if (pSide == 0 && qSide == 0)
+  {
+    return coplanarSegmentMeets(p, q, t);
+  }
+  // The line pq passes the triangle's edges all on the same side, or through one.
+  const int turn = orientation(p, q, t[0], t[1]);
+  const int nextTurn = orientation(p, q, t[1], t[2]);
+  if (turn * nextTurn < 0)
+  {
+    return false;
+  }
+  const int lastTurn = orientation(p, q, t[2], t[0]);
+  return turn * lastTurn >= 0 && nextTurn * lastTurn >= 0;
+}
+
+/// How far corners reach along a direction, seen from an origin, and the error of both numbers.
+struct Extent
+{
+  double low = std::numeric_limits<double>::max();
+  double high = std::numeric_limits<double>::lowest();
+  double error = 0.0;
+};
+
+Extent extentAlong(
+  const Vec3& direction, const Vec3& origin, const Triangle& t, std::size_t firstCorner)
+{
+  constexpr double RelativeError = 1e-15; // four roundings of differences, products and sums
+  Extent extent;
+  double size = 0.0;
+  for (std::size_t k = firstCorner; k < 3; ++k)
+  {
+    const Vec3 offset = t[k] - origin;
+    const double position = direction.dot(offset);
+    extent.low = std::min(extent.low, position);
+    extent.high = std::max(extent.high, position);
+    size = std::max(size, offset.lpNorm<Eigen::Infinity>());
+  }
+  extent.error = RelativeError * size * direction.lpNorm<1>();
+  return extent;
+}
+
+/// A quick look that is right when it says yes: a plane between the triangles keeps them apart.
+bool areClearlyApart(const Triangle& t, const Triangle& s)
+{
+  const Vec3 direction = (s[0] + s[1] + s[2]) - (t[0] + t[1] + t[2]);
+  const Extent first = extentAlong(direction, t[0], t, 0);
+  const Extent second = extentAlong(direction, t[0], s, 0);
+  return second.low - second.error > first.high + first.error;
+}
+
+/// The same with corner 0 shared: only there do the triangles touch the plane between them.
+bool areClearlyApartButForCorner0(const Triangle& t, const Triangle& s)
+{
+  const Vec3& shared = t[0];
+  const Vec3 direction =
+    (s[1] + s[2] - 2.0 * shared).normalized() - (t[1] + t[2] - 2.0 * shared).normalized();
+  const Extent first = extentAlong(direction, shared, t, 1);
+  const Extent second = extentAlong(direction, shared, s, 1);
+  return second.low > second.error && first.high < -first.error;
+}
+
+/// On which sides of a triangle's plane the corners of another one lie.
+std::array<int, 3> sidesOf(const Triangle& t, const Triangle& other)
+{
+  return { orientation(t[0], t[1], t[2], other[0]), orientation(t[0], t[1], t[2], other[1]),
+    orientation(t[0], t[1], t[2], other[2]) };
+}
+
+bool areOnOneSide(const std::array<int, 3>& sides)
+{
+  return sides[0] != 0 && sides[0] == sides[1] && sides[1] == sides[2];
+}
+
+bool anyEdgeMeets(const Triangle& edges, const std::array<int, 3>& sides, const Triangle& t)
+{
+  return segmentMeets(edges[0], edges[1], sides[0], sides[1], t) ||
+    segmentMeets(edges[1], edges[2], sides[1], sides[2], t) ||
+    segmentMeets(edges[2], edges[0], sides[2], sides[0], t);
+}
+
+bool separateTrianglesMeet(const Triangle& t, const Triangle& s)
+{
+  if (areClearlyApart(t, s))
+  {
+    return false;
+  }
+  const std::array<int, 3> sSides = sidesOf(t, s);
+  if (areOnOneSide(sSides))
+  {
+    return false;
+  }
+  const std::array<int, 3> tSides = sidesOf(s, t);
+  return !areOnOneSide(tSides) && (anyEdgeMeets(s, sSides, t) || anyEdgeMeets(t, tSides, s));
+}
+
+/// Corner 0 is shared: the edges opposite to it decide.
+bool trianglesAtCornerMeet(const Triangle& t, const Triangle& s)
+{
+  if (areClearlyApartButForCorner0(t, s))
+  {
+    return false;
+  }
+  const auto oppositeEdgeMeets = [](const Triangle& edges, const Triangle& other)
+  {
+    return segmentMeets(edges[1], edges[2], orientation(other[0], other[1], other[2], edges[1]),
+      orientation(other[0], other[1], other[2], edges[2]), other);
+  };
+  return oppositeEdgeMeets(t, s) || oppositeEdgeMeets(s, t);
+}
+
+/// Corners 0 and 1 are shared: in one plane and on the same side of the shared edge?
+bool isFoldedFlat(const Triangle& t, const Triangle& s)
+{
+  bool sameSide = false;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int sides =
+      planarOrientation(axis, t[0], t[1], t[2]) * planarOrientation(axis, s[0], s[1], s[2]);
+    if (sides < 0)
+    {
+      return false;
+    }
+    sameSide = sameSide || sides > 0;
+  }
+  return sameSide && orientation(t[0], t[1], t[2], s[2]) == 0;
+}
+
+} // namespace
+
+bool hasArea(const std::vector<Vec3>& points, const TriangleVertices& triangle)
+{
+  const Triangle t = cornersOf(points, triangle);
+  return planarOrientation(0, t[0], t[1], t[2]) != 0 ||
+    planarOrientation(1, t[0], t[1], t[2]) != 0 || planarOrientation(2, t[0], t[1], t[2]) != 0;
+}
+
+bool intersectBeyondShared(
+  const std::vector<Vec3>& points, TriangleVertices first, TriangleVertices second)
+{
+  const int shared = alignShared(first, second);
+  const Triangle t = cornersOf(points, first);
+  const Triangle s = cornersOf(points, second);
+  switch (shared)
+  {
+    case 0:
+      return separateTrianglesMeet(t, s);
+    case 1:
+      return trianglesAtCornerMeet(t, s);
+    case 2:
+      return isFoldedFlat(t, s);
+    default:
+      return true;
+  }
+}
+
+} // namespace evolving

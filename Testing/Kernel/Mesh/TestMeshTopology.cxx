@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Mesh/MeshTopology.h"
+
+#include "Errors.h"
+#include "TestShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace evolving
+{
+
+namespace
+{
+
+std::string refusalOf(const SurfaceMesh& mesh)
+{
+  try
+  {
+    const MeshTopology topology(mesh);
+  }
+  catch (const InputError& error)
+  {
+    return error.what();
+  }
+  return "accepted";
+}
+
+bool startsWith(const std::string& text, const std::string& beginning)
+{
+  return text.compare(0, beginning.size(), beginning) == 0;
+}
+
+/// The same surface with vertices, faces and the corners of each face in another order.
+SurfaceMesh shuffled(const SurfaceMesh& mesh, std::mt19937& generator)
+{
+  std::vector<Index> number(mesh.points.size());
+  std::vector<Index> order(static_cast<std::size_t>(mesh.faceCount()));
+  std::iota(number.begin(), number.end(), 0);
+  std::iota(order.begin(), order.end(), 0);
+  std::shuffle(number.begin(), number.end(), generator);
+  std::shuffle(order.begin(), order.end(), generator);
+  SurfaceMesh result;
+  result.points.resize(mesh.points.size());
+  for (std::size_t v = 0; v < number.size(); ++v)
+  {
+    result.points[static_cast<std::size_t>(number[v])] = mesh.points[v];
+  }
+  for (const Index face : order)
+  {
+    const Index size = mesh.faceSize(face);
+    const Index shift = std::uniform_int_distribution<Index>(0, size - 1)(generator);
+    std::vector<Index> vertices;
+    for (Index k = 0; k < size; ++k)
+    {
+      vertices.push_back(
+        number[static_cast<std::size_t>(mesh.faceVertex(face, (k + shift) % size))]);
+    }
+    result.addFace(vertices);
+  }
+  return result;
+}
+
+struct NamedMesh
+{
+  std::string name;
+  SurfaceMesh mesh;
+};
+
+std::vector<NamedMesh> manifoldMeshes()
+{
+  std::mt19937 generator(42);
+  std::vector<NamedMesh> meshes{ { "Empty", {} }, { "Tetrahedron", cornerTetrahedron() },
+    { "Cube", unitCube() }, { "Icosphere", unitIcosphere(2) }, { "Torus", torus(7, 5, 2.0, 0.5) },
+    { "Genus2", triangulated(slabWithHoles(2), generator) }, { "Annulus", annulus(6) },
+    { "Disc", disc(7) }, { "Sheet", triangleSheet(4, 5) },
+    { "UnusedPoints", unionOf(makeMesh({ { 9, 9, 9 } }, {}), disc(4)) },
+    { "Triangle", makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } }) },
+    { "TwoSided",
+      makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 }, { 2, 1, 0 } }) },
+    { "Several", unionOf(unionOf(disc(5), unitCube()), annulus(4)) } };
+  const std::size_t count = meshes.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    meshes.push_back({ "Shuffled" + meshes[i].name, shuffled(meshes[i].mesh, generator) });
+  }
+  return meshes;
+}
+
+class ManifoldTopology : public testing::TestWithParam<NamedMesh>
+{
+protected:
+  const SurfaceMesh& Mesh = this->GetParam().mesh;
+  MeshTopology Topology{ this->Mesh };
+};
+
+INSTANTIATE_TEST_SUITE_P(Meshes, ManifoldTopology, testing::ValuesIn(manifoldMeshes()),
+  [](const testing::TestParamInfo<NamedMesh>& test) { return test.param.name; });
+
+TEST_P(ManifoldTopology, NextAndPreviousWalkAroundTheFace)
+{
+  ASSERT_EQ(this->Topology.cornerCount(), this->Mesh.cornerCount());
+  ASSERT_EQ(this->Topology.faceCount(), this->Mesh.faceCount());
+  ASSERT_EQ(this->Topology.vertexCount(), this->Mesh.vertexCount());
+  for (Index c = 0; c < this->Topology.cornerCount(); ++c)
+  {
+    EXPECT_EQ(this->Topology.previous(this->Topology.next(c)), c);
+    EXPECT_EQ(this->Topology.faceOf(this->Topology.next(c)), this->Topology.faceOf(c));
+    Index walked = c;
+    for (Index k = 0; k < this->Mesh.faceSize(this->Topology.faceOf(c)); ++k)
+    {
+      walked = this->Topology.next(walked);
+      EXPECT_EQ(walked == c, k + 1 == this->Mesh.faceSize(this->Topology.faceOf(c)));
+    }
+  }
+}
+
+TEST_P(ManifoldTopology, OppositeIsTheSameEdgeBackwards)
+{
+  const MeshTopology& t = this->Topology;
+  for (Index c = 0; c < t.cornerCount(); ++c)
+  {
+    const Index o = t.opposite(c);
+    if (o != NoIndex)
+    {
+      EXPECT_NE(o, c);
+      EXPECT_EQ(t.opposite(o), c);
+      EXPECT_EQ(t.vertexOf(o), t.vertexOf(t.next(c)));
+      EXPECT_EQ(t.vertexOf(t.next(o)), t.vertexOf(c));
+    }
+    else
+    {
+      EXPECT_TRUE(t.isBoundary(t.vertexOf(c)));
+      EXPECT_TRUE(t.isBoundary(t.vertexOf(t.next(c))));
+    }
+  }
+}
+
+TEST_P(ManifoldTopology, RingsHoldEveryCornerOfTheirVertexOnce)
+{
+  std::vector<Index> seen;
+  for (Index v = 0; v < this->Topology.vertexCount(); ++v)
+  {
+    EXPECT_EQ(this->Topology.isUsed(v), this->Topology.ringCorners(v).size() > 0);
+    for (const Index c : this->Topology.ringCorners(v))
+    {
+      EXPECT_EQ(this->Topology.vertexOf(c), v);
+      seen.push_back(c);
+    }
+  }
+  std::sort(seen.begin(), seen.end());
+  ASSERT_EQ(static_cast<Index>(seen.size()), this->Topology.cornerCount());
+  for (Index c = 0; c < this->Topology.cornerCount(); ++c)
+  {
+    EXPECT_EQ(seen[static_cast<std::size_t>(c)], c);
+  }
+}
+
+TEST_P(ManifoldTopology, RingsRunCounterClockwise)
+{
+  const MeshTopology& t = this->Topology;
+  for (Index v = 0; v < t.vertexCount(); ++v)
+  {
+    const MeshTopology::Run corners = t.ringCorners(v);
+    const MeshTopology::Run vertices = t.ringVertices(v);
+    const bool boundary = t.isBoundary(v);
+    ASSERT_EQ(vertices.size(), corners.size() + (boundary ? 1 : 0));
+    for (Index i = 0; i < corners.size(); ++i)
+    {
+      EXPECT_EQ(t.vertexOf(t.next(corners[i])), vertices[i]);
+      EXPECT_EQ(t.vertexOf(t.previous(corners[i])), vertices[(i + 1) % vertices.size()]);
+      const bool last = i + 1 == corners.size();
+      const Index successor = last && boundary ? NoIndex : corners[(i + 1) % corners.size()];
+      EXPECT_EQ(t.opposite(t.previous(corners[i])), successor);
+    }
+    if (boundary)
+    {
+      EXPECT_EQ(t.opposite(corners[0]), NoIndex) << "begins at its boundary edge";
+    }
+  }
+}
+
+TEST_P(ManifoldTopology, BoundaryLoopsHoldEveryBoundaryEdgeOnce)
+{
+  const MeshTopology& t = this->Topology;
+  std::set<std::pair<Index, Index>> expected;
+  for (Index c = 0; c < t.cornerCount(); ++c)
+  {
+    if (t.opposite(c) == NoIndex)
+    {
+      expected.emplace(t.vertexOf(c), t.vertexOf(t.next(c)));
+    }
+  }
+  std::set<std::pair<Index, Index>> found;
+  for (const std::vector<Index>& loop : t.boundaryLoops())
+  {
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      EXPECT_TRUE(found.emplace(loop[i], loop[(i + 1) % loop.size()]).second);
+    }
+  }
+  EXPECT_EQ(found, expected) << "in the direction of the faces: the surface on the left";
+}
+
+TEST_P(ManifoldTopology, ComponentsAgreeAlongEdgesAndAreNumberedBySmallestVertex)
+{
+  const MeshTopology& t = this->Topology;
+  const std::vector<Index>& component = t.componentOfVertex();
+  Index highest = NoIndex;
+  for (Index v = 0; v < t.vertexCount(); ++v)
+  {
+    const Index own = component[static_cast<std::size_t>(v)];
+    EXPECT_EQ(own == NoIndex, !t.isUsed(v));
+    EXPECT_LE(own, highest + 1);
+    highest = std::max(highest, own);
+    for (const Index neighbour : t.ringVertices(v))
+    {
+      EXPECT_EQ(component[static_cast<std::size_t>(neighbour)], own);
+    }
+  }
+  EXPECT_EQ(t.componentCount(), highest + 1);
+}
+
+TEST(MeshTopology, LoopsOfAnnulusAndDisc)
+{
+  const MeshTopology ring(annulus(6));
+  ASSERT_EQ(ring.boundaryLoops().size(), 2U);
+  EXPECT_EQ(ring.boundaryLoops()[0], (std::vector<Index>{ 0, 10, 8, 6, 4, 2 })) << "inner";
+  EXPECT_EQ(ring.boundaryLoops()[1], (std::vector<Index>{ 1, 3, 5, 7, 9, 11 })) << "outer";
+  const MeshTopology plate(disc(5));
+  ASSERT_EQ(plate.boundaryLoops().size(), 1U);
+  EXPECT_EQ(plate.boundaryLoops()[0], (std::vector<Index>{ 1, 2, 3, 4, 5 }));
+  EXPECT_FALSE(plate.isBoundary(0));
+  EXPECT_TRUE(MeshTopology(unitCube()).boundaryLoops().empty());
+}
+
+TEST(MeshTopology, CountsComponents)
+{
+  EXPECT_EQ(MeshTopology(SurfaceMesh()).componentCount(), 0);
+  EXPECT_EQ(MeshTopology(unitCube()).componentCount(), 1);
+  EXPECT_EQ(MeshTopology(unionOf(unionOf(disc(5), unitCube()), annulus(4))).componentCount(), 3);
+}
+
+TEST(MeshTopology, RingOfADiscGoesRoundOnce)
+{
+  const MeshTopology topology(disc(6));
+  const MeshTopology::Run ring = topology.ringVertices(0);
+  EXPECT_EQ(std::vector<Index>(ring.begin(), ring.end()), (std::vector<Index>{ 1, 2, 3, 4, 5, 6 }));
+  const MeshTopology::Run half = topology.ringVertices(2);
+  EXPECT_EQ(std::vector<Index>(half.begin(), half.end()), (std::vector<Index>{ 3, 0, 1 }));
+}
+
+TEST(MeshTopology, RefusesAMoebiusBandInOneSentence)
+{
+  for (const Index count : { 3, 4, 9, 30 })
+  {
+    const std::string message = refusalOf(moebiusBand(count));
+    EXPECT_TRUE(startsWith(message, "The two faces at the edge between points ")) << message;
+    EXPECT_NE(message.find("opposite orientations"), std::string::npos);
+    EXPECT_EQ(std::count(message.begin(), message.end(), '.'), 1);
+  }
+}
+
+TEST(MeshTopology, RefusesAFlippedFace)
+{
+  SurfaceMesh mesh = unitIcosphere(1);
+  std::swap(mesh.cornerVertices[30], mesh.cornerVertices[31]);
+  EXPECT_NE(refusalOf(mesh).find("opposite orientations"), std::string::npos);
+}
+
+TEST(MeshTopology, RefusesAnEdgeOfThreeFaces)
+{
+  const SurfaceMesh fins =
+    makeMesh({ { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, { -1, -1, 0 } },
+      { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } });
+  EXPECT_TRUE(startsWith(
+    refusalOf(fins), "The edge between points 0 and 1 belongs to 3 faces, expected at most 2"));
+}
+
+TEST(MeshTopology, RefusesEveryKindOfBowTie)
+{
+  const SurfaceMesh open =
+    makeMesh({ { 0, 0, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 }, { -1, -1, 0 } },
+      { { 0, 1, 2 }, { 0, 3, 4 } });
+  const SurfaceMesh closed = cellSurface({ { 0, 0, 0 }, { 1, 1, 1 } });
+  // The disc's centre becomes the top of a tetrahedron as well.
+  SurfaceMesh mixed = disc(5);
+  mixed.addPoint({ 1, 0, 1 });
+  mixed.addPoint({ -1, 1, 1 });
+  mixed.addFace({ 0, 6, 7 });
+  for (const SurfaceMesh& mesh : { open, closed, mixed })
+  {
+    const std::string message = refusalOf(mesh);
+    EXPECT_TRUE(startsWith(message, "Several separate fans of faces meet at point ")) << message;
+  }
+}
+
+TEST(MeshTopology, RefusesAnEdgeFromAVertexToItself)
+{
+  const SurfaceMesh mesh = makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 1, 2 } });
+  EXPECT_TRUE(startsWith(refusalOf(mesh), "An edge joins point 1 to itself"));
+}
+
+} // namespace
+
+} // namespace evolving
