@@ -1,0 +1,79 @@
+# The VTK module with its Python package, and the ParaView plugin where ParaView's SDK is found.
+#
+# One shared module serves the plugin, Python imports and the C++ tests: two copies of a class in
+# one process would not recognise each other's objects.
+
+include(GNUInstallDirs)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(BUILD_SHARED_LIBS ON)
+
+option(EVOLVINGSURFACES_USE_PARAVIEW
+  "Build against ParaView's SDK, with the plugin; otherwise against plain VTK." ON)
+
+if (EVOLVINGSURFACES_USE_PARAVIEW)
+  find_package(ParaView REQUIRED)
+else ()
+  find_package(VTK 9.1 REQUIRED COMPONENTS
+    CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral ParallelCore
+    WrappingPythonCore Python
+    OPTIONAL_COMPONENTS
+    FiltersSources IOLegacy IOXML InteractionStyle RenderingOpenGL2 TestingRendering)
+endif ()
+find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
+
+vtk_module_scan(
+  MODULE_FILES "${CMAKE_SOURCE_DIR}/Filters/vtk.module"
+  PROVIDES_MODULES evolvingsurfaces_modules
+  REQUEST_MODULES EvolvingSurfaces::Filters
+  ENABLE_TESTS OFF)
+vtk_module_build(
+  MODULES ${evolvingsurfaces_modules}
+  PACKAGE EvolvingSurfaces
+  INSTALL_HEADERS ON
+  TEST_DIRECTORY_NAME NONE)
+
+# Debian's python3 reads dist-packages, every other one site-packages.
+set(evolvingsurfaces_python_site "python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/site-packages")
+set(evolvingsurfaces_python_build "${CMAKE_INSTALL_LIBDIR}/${evolvingsurfaces_python_site}")
+if (EXISTS "/etc/debian_version")
+  set(EVOLVINGSURFACES_PYTHON_DIR_DEFAULT "lib/python3/dist-packages")
+else ()
+  set(EVOLVINGSURFACES_PYTHON_DIR_DEFAULT "${evolvingsurfaces_python_build}")
+endif ()
+set(EVOLVINGSURFACES_PYTHON_DIR "${EVOLVINGSURFACES_PYTHON_DIR_DEFAULT}" CACHE STRING
+  "Where the Python package is installed, relative to the prefix.")
+
+vtk_module_wrap_python(
+  MODULES ${evolvingsurfaces_modules}
+  TARGET EvolvingSurfaces::FiltersPython
+  PYTHON_PACKAGE "evolvingsurfaces"
+  MODULE_DESTINATION "${evolvingsurfaces_python_build}"
+  INSTALL_HEADERS OFF
+  BUILD_STATIC OFF)
+
+# VTK writes no __init__.py; ours re-exports the classes, so that one import serves all.
+set(EVOLVINGSURFACES_PYTHON_EXTENSION vtkEvolvingSurfacesFilters)
+set(evolvingsurfaces_package "${CMAKE_BINARY_DIR}/${evolvingsurfaces_python_build}/evolvingsurfaces")
+configure_file(
+  "${CMAKE_SOURCE_DIR}/Filters/Python/__init__.py.in" "${evolvingsurfaces_package}/__init__.py" @ONLY)
+install(FILES "${evolvingsurfaces_package}/__init__.py"
+  DESTINATION "${evolvingsurfaces_python_build}/evolvingsurfaces")
+
+if (EVOLVINGSURFACES_USE_PARAVIEW)
+  paraview_plugin_scan(
+    PLUGIN_FILES "${CMAKE_SOURCE_DIR}/Plugin/paraview.plugin"
+    PROVIDES_PLUGINS evolvingsurfaces_plugins
+    ENABLE_BY_DEFAULT ON
+    HIDE_PLUGINS_FROM_CACHE ON)
+  find_program(EVOLVINGSURFACES_XMLPATTERNS NAMES xmlpatterns HINTS /usr/lib/qt5/bin)
+  if (NOT EVOLVINGSURFACES_XMLPATTERNS)
+    message(STATUS "xmlpatterns was not found: the plugin is built without its help pages.")
+    set(evolvingsurfaces_no_help DISABLE_XML_DOCUMENTATION ON)
+  endif ()
+  paraview_plugin_build(
+    PLUGINS ${evolvingsurfaces_plugins}
+    PLUGINS_FILE_NAME "evolvingsurfaces.plugins.xml"
+    ${evolvingsurfaces_no_help})
+endif ()

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * A solved evolution behind a filter: when it is still the one asked for, and how its states and
+ * its history become VTK data. Private to the module.
+ */
+
+#ifndef EvolutionSeries_h
+#define EvolutionSeries_h
+
+#include "KernelBridge.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+class vtkDataSet;
+class vtkPolyData;
+class vtkTable;
+
+/**
+ * Notices when a data set's content changes: by modification time first, by a hash of the content
+ * when that differs (a producer may have run again to the same result).
+ */
+class ContentStamp
+{
+public:
+  /// Looks at the data set (null for none); true when its content is not that of the last look.
+  bool Update(vtkDataSet* data);
+
+private:
+  vtkDataSet* Last = nullptr;
+  vtkMTimeType Time = 0;
+  std::uint64_t Hash = 0;
+};
+
+/// A flow's series with what its states share as VTK data.
+class EvolutionSeries
+{
+public:
+  /// The flow of a start surface; every state has the start's polygons.
+  EvolutionSeries(const evolving::SurfaceMesh& start, int pointType, bool hasField,
+    evolving::FlowSeries::MakeFlow makeFlow, const std::vector<int>& published,
+    std::size_t memoryLimit, const evolving::Execution& execution);
+
+  /// Points, polygons, point arrays and field arrays of the state published as number i.
+  void WriteState(std::size_t i, vtkPolyData* output, const evolving::Execution& execution);
+
+  /// The state published as number i, as the kernel has it.
+  evolving::SurfaceMesh Mesh(std::size_t i, const evolving::Execution& execution);
+
+  /// One row for every computed step.
+  void WriteHistory(vtkTable* output) const;
+
+  const evolving::FlowSeries& Flow() const { return this->Series; }
+
+private:
+  evolving::SurfaceMesh Start;
+  vtkSmartPointer<vtkPolyData> Polygons;
+  int PointType;
+  bool HasField;
+  evolving::FlowSeries Series;
+};
+
+namespace EvolutionArrays
+{
+/// The arrays that a surface has without a field: normals, curvature, co-volume, velocities, psi.
+void WriteShapeArrays(const evolving::FlowArrays& arrays, vtkPolyData* output);
+/// The arrays of a surface that no rank but the first has: the same names, no tuples.
+void WriteEmpty(vtkPolyData* output, bool hasField);
+/// The columns of the history without a row.
+void WriteEmptyHistory(vtkTable* output);
+}
+
+#endif

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * Where VTK meets the kernel: the only file that knows both worlds. Private to the module; it
+ * hands the kernel's headers on to the filters.
+ */
+
+#ifndef KernelBridge_h
+#define KernelBridge_h
+
+#include "Distance/AABBTree.h"
+#include "Distance/DistanceGrid.h"
+#include "Distance/DistanceOctree.h"
+#include "Distance/SignedDistance.h"
+#include "Errors.h"
+#include "Evolution/FlowSeries.h"
+#include "Evolution/ScalarImage.h"
+#include "Evolution/SurfaceFlow.h"
+#include "Evolution/SurfaceRedistribution.h"
+#include "Execution.h"
+#include "Mesh/SurfaceMesh.h"
+#include "ShrinkWrap/ShrinkWrap.h"
+#include "ShrinkWrap/SurfaceReport.h"
+#include "StartSurface/PrimitiveSurfaces.h"
+
+#include "vtkSmartPointer.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkDataArray;
+class vtkDataObject;
+class vtkDataSet;
+class vtkImageData;
+class vtkInformation;
+class vtkInformationVector;
+class vtkPointSet;
+class vtkPolyData;
+
+namespace KernelBridge
+{
+
+/// A kernel mesh, and where its faces and vertices came from.
+struct Surface
+{
+  evolving::SurfaceMesh mesh;
+  std::vector<vtkIdType> cellOfFace;
+};
+
+/// What execution by Run() came to.
+enum class Outcome
+{
+  Finished,
+  Cancelled,
+  Failed
+};
+
+/**
+ * Calls work with the filter's threads, progress and abort flag. An exception of the kernel
+ * becomes one vtkErrorMacro sentence of the filter. Threads are VTK's; where VTK's default
+ * backend is the sequential one and the user has not asked for that, STDThread is used.
+ */
+Outcome Run(vtkAlgorithm* filter, const std::function<void(const evolving::Execution&)>& work);
+
+/// As Run(), for a RequestData that writes `outputs` only when finished: they stay initialised.
+int RunToOutputs(vtkAlgorithm* filter, const std::vector<vtkDataObject*>& outputs,
+  const std::function<void(const evolving::Execution&)>& work);
+
+/**
+ * The polygons and strips of a polydata as they are; strips become triangles.
+ * @throws evolving::InputError for corners out of range or coordinates that are not finite
+ */
+Surface ReadSurface(vtkPolyData* input);
+
+/// A surface whose points with equal coordinates are one, and who they were.
+struct WeldedSurface
+{
+  evolving::SurfaceMesh mesh;
+  /// For every point of the input the vertex of the mesh; NoIndex where no face uses it.
+  std::vector<evolving::Index> vertexOfPoint;
+};
+
+/// As ReadSurface(), with coincident points joined; faces that lose an edge by it are left out.
+WeldedSurface ReadWelded(vtkPolyData* input);
+
+/// New points for a copy of the input: each moves with its vertex, unused ones stay.
+void MoveWeldedPoints(
+  const WeldedSurface& surface, const std::vector<evolving::Vec3>& points, vtkPolyData* output);
+
+/// The arrays of the welded vertices as arrays of the input's points, zero for unused ones.
+evolving::FlowArrays Unweld(const WeldedSurface& surface, const evolving::FlowArrays& arrays);
+
+/// The input's arrays with no tuples, and no geometry: what ranks but the first write.
+void CopyWithoutTuples(vtkPolyData* input, vtkPolyData* output);
+
+/// As ReadSurface(), polygons split into triangles (by ear clipping, so concave ones are right).
+Surface ReadTriangles(vtkPolyData* input);
+
+/**
+ * The points that vertex cells use, or all points when there is none; then \p cellOfFace is, for
+ * each of them, the vertex cell, or the number of the point.
+ */
+Surface ReadPointSet(vtkPolyData* input);
+
+/// Has the polydata polygons or strips? Otherwise it is a point set.
+bool HasFaces(vtkPolyData* input);
+
+/**
+ * The image's active point scalars, first component.
+ * @throws evolving::InputError without scalars, with a rotated image, or with values that are
+ * not finite
+ */
+evolving::ScalarImage ReadImage(vtkImageData* image);
+
+/// A polydata of the mesh's points (as `pointType`, VTK_FLOAT or VTK_DOUBLE) and polygons.
+vtkSmartPointer<vtkPolyData> WritePolyData(const evolving::SurfaceMesh& mesh, int pointType);
+
+/// The points alone, for a polydata that shares its polygons with others.
+void WritePoints(const std::vector<evolving::Vec3>& points, int pointType, vtkPolyData* output);
+
+///@{
+/**
+ * SampleDimensions, ModelBounds and Padding of the filters that sample: the bounds as they are
+ * when they are valid, otherwise the padded box with cubic cells.
+ */
+bool AreValidBounds(const double bounds[6]);
+evolving::DistanceGrid MakeGrid(
+  const evolving::Box& box, const int dimensions[3], const double bounds[6], double padding);
+///@}
+
+/// Stores the wanted numbers, each within the limits; true when that changed one.
+bool AssignClamped(const int wanted[3], int lower, int upper, int stored[3]);
+
+/// VTK_DOUBLE when the input's points are double, otherwise VTK_FLOAT.
+int PointType(vtkPointSet* input);
+
+///@{
+/// Adds a named point array.
+void AddPointArray(vtkDataSet* data, const char* name, const std::vector<double>& values);
+void AddPointArray(vtkDataSet* data, const char* name, const std::vector<evolving::Vec3>& values);
+///@}
+
+///@{
+/// Adds (or replaces) a named field array of one value.
+void AddFieldValue(vtkDataObject* data, const char* name, double value);
+void AddFieldValue(vtkDataObject* data, const char* name, int value);
+void AddFieldValue(vtkDataObject* data, const char* name, const std::string& value);
+///@}
+
+///@{
+/**
+ * The piece that an update asks for, by the rules for several ranks: surface filters ask
+ * their producers for the whole surface, and only piece 0 writes geometry.
+ */
+void RequestWholeInput(vtkInformation* inputRequest);
+void RequestWholeImage(vtkInformation* inputRequest);
+bool WritesGeometry(vtkInformation* request, vtkInformationVector* outputVector);
+///@}
+
+/// For an input without faces: 1 when it is empty altogether, otherwise an error and 0.
+int RefuseUnlessEmpty(vtkAlgorithm* filter, vtkPolyData* input);
+
+/**
+ * @throws evolving::InputError, with the number of bytes, when a grid of so many samples would not
+ * fit in the memory of this machine.
+ */
+void RequireMemory(evolving::GridIndex samples);
+
+/// A number that changes when points, cells, image samples or their layout change.
+std::uint64_t ContentHash(vtkDataSet* data);
+
+} // namespace KernelBridge
+
+#endif

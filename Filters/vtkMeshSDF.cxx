@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkMeshSDF.h"
+
+#include "KernelBridge.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <vector>
+
+vtkStandardNewMacro(vtkMeshSDF);
+
+namespace
+{
+
+constexpr int LargestDimension = 65536;
+
+//------------------------------------------------------------------------------
+evolving::Extent RequestedExtent(vtkInformation* request)
+{
+  evolving::Extent extent;
+  request->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
+  return extent;
+}
+
+//------------------------------------------------------------------------------
+void AddFloatArray(
+  vtkImageData* image, const char* name, int components, const std::vector<float>& values)
+{
+  vtkNew<vtkFloatArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  image->GetPointData()->AddArray(array);
+}
+
+//------------------------------------------------------------------------------
+void AddClosestCells(vtkImageData* image, const std::vector<evolving::Index>& faces,
+  const std::vector<vtkIdType>& cellOfFace)
+{
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName("ClosestCellId");
+  array->SetNumberOfTuples(static_cast<vtkIdType>(faces.size()));
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    const evolving::Index face = faces[i];
+    array->SetValue(static_cast<vtkIdType>(i),
+      face == evolving::NoIndex ? -1 : cellOfFace[static_cast<std::size_t>(face)]);
+  }
+  image->GetPointData()->AddArray(array);
+}
+
+//------------------------------------------------------------------------------
+/// The input as the kernel wants it: triangles, or a point set whose "cells" are its points.
+KernelBridge::Surface ReadInput(vtkPolyData* input)
+{
+  if (KernelBridge::HasFaces(input))
+  {
+    return KernelBridge::ReadTriangles(input);
+  }
+  return KernelBridge::ReadPointSet(input);
+}
+
+//------------------------------------------------------------------------------
+void WriteImage(const evolving::DistanceGrid& grid, const evolving::Extent& part,
+  const evolving::SignedDistanceResult& result, const std::vector<vtkIdType>& cellOfFace,
+  vtkImageData* output)
+{
+  output->SetOrigin(grid.origin.data());
+  output->SetSpacing(grid.spacing.data());
+  output->SetExtent(part[0], part[1], part[2], part[3], part[4], part[5]);
+  AddFloatArray(output, "SignedDistance", 1, result.distance);
+  output->GetPointData()->SetActiveScalars("SignedDistance");
+  if (!result.closestPoint.empty())
+  {
+    AddFloatArray(output, "ClosestPoint", 3, result.closestPoint);
+  }
+  if (!result.closestFace.empty())
+  {
+    AddClosestCells(output, result.closestFace, cellOfFace);
+  }
+  if (!result.gradient.empty())
+  {
+    AddFloatArray(output, "Gradient", 3, result.gradient);
+  }
+  KernelBridge::AddFieldValue(output, "SignMethod", static_cast<int>(result.sign));
+  KernelBridge::AddFieldValue(output, "SignReason", result.signReason);
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkMeshSDF::vtkMeshSDF()
+{
+  this->SetNumberOfInputPorts(1);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshSDF::SetSampleDimensions(int x, int y, int z)
+{
+  const int dimensions[3] = { x, y, z };
+  this->SetSampleDimensions(dimensions);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshSDF::SetSampleDimensions(const int dimensions[3])
+{
+  if (KernelBridge::AssignClamped(dimensions, 1, LargestDimension, this->SampleDimensions))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshSDF::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+evolving::SignedDistanceOptions vtkMeshSDF::Options() const
+{
+  evolving::SignedDistanceOptions options;
+  options.method = static_cast<evolving::DistanceMethod>(this->Method);
+  options.sign = static_cast<evolving::SignMethod>(this->Sign);
+  options.bandWidth = this->BandWidth;
+  options.smoothingSigma = this->SmoothingSigma;
+  options.numberOfSweeps = this->NumberOfSweeps;
+  options.closestPoint = this->ComputeClosestPoint;
+  options.closestFace = this->ComputeClosestCellId;
+  options.gradient = this->ComputeGradient;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+evolving::DistanceGrid vtkMeshSDF::GridFor(const evolving::SurfaceMesh& mesh) const
+{
+  return KernelBridge::MakeGrid(
+    evolving::boundingBox(mesh), this->SampleDimensions, this->ModelBounds, this->Padding);
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshSDF::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  const int* n = this->SampleDimensions;
+  const int extent[6] = { 0, n[0] - 1, 0, n[1] - 1, 0, n[2] - 1 };
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  vtkDataObject::SetActiveAttributeInfo(info, vtkDataObject::FIELD_ASSOCIATION_POINTS,
+    vtkDataSetAttributes::SCALARS, "SignedDistance", VTK_FLOAT, 1, -1);
+  // Automatic bounds depend on data that are not there yet; then the data alone say where.
+  info->Remove(vtkDataObject::ORIGIN());
+  info->Remove(vtkDataObject::SPACING());
+  if (KernelBridge::AreValidBounds(this->ModelBounds))
+  {
+    const evolving::DistanceGrid grid = this->GridFor({});
+    info->Set(vtkDataObject::ORIGIN(), grid.origin.data(), 3);
+    info->Set(vtkDataObject::SPACING(), grid.spacing.data(), 3);
+  }
+  info->Remove(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT());
+  if (evolving::canComputeParts(this->Options()))
+  {
+    info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshSDF::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  KernelBridge::RequestWholeInput(inputVector[0]->GetInformationObject(0));
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshSDF::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkImageData* output = vtkImageData::GetData(outputVector);
+  const evolving::Extent part = RequestedExtent(outputVector->GetInformationObject(0));
+  output->Initialize();
+  if (!input || input->GetNumberOfPoints() == 0 || part[0] > part[1] || part[2] > part[3] ||
+    part[4] > part[5])
+  {
+    return 1;
+  }
+  return KernelBridge::RunToOutputs(this, { output },
+    [&](const evolving::Execution& execution)
+    {
+      const KernelBridge::Surface surface = ReadInput(input);
+      const evolving::DistanceGrid grid = this->GridFor(surface.mesh);
+      const evolving::SignedDistanceOptions options = this->Options();
+      const evolving::Extent computed = evolving::canComputeParts(options) ? part : grid.extent;
+      KernelBridge::RequireMemory(grid.part(computed).sampleCount());
+      const auto result = evolving::signedDistance(surface.mesh, grid, part, options, execution);
+      WriteImage(grid, part, result, surface.cellOfFace, output);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshSDF::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const int* n = this->SampleDimensions;
+  const double* b = this->ModelBounds;
+  os << indent << "SampleDimensions: " << n[0] << " " << n[1] << " " << n[2] << "\n";
+  os << indent << "Padding: " << this->Padding << "\n";
+  os << indent << "ModelBounds: " << b[0] << " " << b[1] << " " << b[2] << " " << b[3] << " "
+     << b[4] << " " << b[5] << "\n";
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "Sign: " << this->Sign << "\n";
+  os << indent << "BandWidth: " << this->BandWidth << "\n";
+  os << indent << "SmoothingSigma: " << this->SmoothingSigma << "\n";
+  os << indent << "NumberOfSweeps: " << this->NumberOfSweeps << "\n";
+  os << indent << "ComputeClosestPoint: " << this->ComputeClosestPoint << "\n";
+  os << indent << "ComputeClosestCellId: " << this->ComputeClosestCellId << "\n";
+  os << indent << "ComputeGradient: " << this->ComputeGradient << "\n";
+}

@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkShrinkWrap.h"
+
+#include "EvolutionSeries.h"
+#include "KernelBridge.h"
+#include "TimeSteps.h"
+
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkShrinkWrap);
+
+namespace
+{
+
+constexpr int SmallestDimension = 8;
+constexpr int LargestDimension = 4096;
+constexpr std::size_t SeriesBytes = std::size_t(2048) << 20;
+
+/// A vertex that stays farther away than this many edge lengths has met a membrane.
+constexpr double MembraneEdges = 1.0;
+
+//------------------------------------------------------------------------------
+void WriteReport(const evolving::SurfaceReport& report, vtkPolyData* output)
+{
+  KernelBridge::AddFieldValue(output, "IsClosed", report.isClosed ? 1 : 0);
+  KernelBridge::AddFieldValue(output, "IsManifold", report.isManifold ? 1 : 0);
+  KernelBridge::AddFieldValue(output, "SelfIntersections", report.selfIntersections);
+  KernelBridge::AddFieldValue(output, "Genus", report.genus);
+  KernelBridge::AddFieldValue(output, "MinAngle", report.minAngle);
+  KernelBridge::AddFieldValue(output, "MaxDistance", report.maxDistance);
+}
+
+//------------------------------------------------------------------------------
+evolving::SurfaceMesh ReadTarget(vtkPolyData* input)
+{
+  return KernelBridge::HasFaces(input) ? KernelBridge::ReadTriangles(input).mesh
+                                       : KernelBridge::ReadPointSet(input).mesh;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+/// The last solve, and what it was a solve of.
+struct vtkShrinkWrap::Cache
+{
+  ContentStamp Input;
+  evolving::ShrinkWrapOptions Options;
+  std::unique_ptr<EvolutionSeries> Series;
+  evolving::SurfaceReport Report;
+  double EdgeLength = 0.0;
+
+  /// Forgets the series unless it is the one of this input and these options.
+  void Check(vtkPolyData* input, const evolving::ShrinkWrapOptions& options)
+  {
+    if (this->Input.Update(input) || !(options == this->Options))
+    {
+      this->Series.reset();
+    }
+    this->Options = options;
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkShrinkWrap::vtkShrinkWrap()
+  : Solved(std::make_unique<Cache>())
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkShrinkWrap::~vtkShrinkWrap() = default;
+
+//------------------------------------------------------------------------------
+void vtkShrinkWrap::SetSampleDimensions(int x, int y, int z)
+{
+  const int dimensions[3] = { x, y, z };
+  this->SetSampleDimensions(dimensions);
+}
+
+//------------------------------------------------------------------------------
+void vtkShrinkWrap::SetSampleDimensions(const int dimensions[3])
+{
+  if (KernelBridge::AssignClamped(
+        dimensions, SmallestDimension, LargestDimension, this->SampleDimensions))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkShrinkWrap::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkTable");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+evolving::ShrinkWrapOptions vtkShrinkWrap::Options() const
+{
+  evolving::ShrinkWrapOptions options;
+  options.start = static_cast<evolving::WrapStart>(this->Start);
+  std::copy(this->SampleDimensions, this->SampleDimensions + 3, options.sampleDimensions.begin());
+  options.targetEdgeLength = this->TargetEdgeLength;
+  options.gapSize = this->GapSize;
+  options.numberOfSteps = this->NumberOfSteps;
+  options.offsetDistance = this->OffsetDistance;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+int vtkShrinkWrap::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  TimeSteps::Remove(outputVector->GetInformationObject(0));
+  TimeSteps::Remove(outputVector->GetInformationObject(1));
+  if (this->OutputSteps)
+  {
+    TimeSteps::Publish(outputVector->GetInformationObject(0), this->Times());
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkShrinkWrap::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  KernelBridge::RequestWholeInput(input);
+  TimeSteps::RequestLastStep(input);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkShrinkWrap::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkTable* history = vtkTable::GetData(outputVector, 1);
+  if (!KernelBridge::WritesGeometry(request, outputVector))
+  {
+    EvolutionArrays::WriteEmpty(output, true);
+    EvolutionArrays::WriteEmptyHistory(history);
+    return 1;
+  }
+  if (!input || input->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  if (this->AdaptToCurvature || this->PreserveFeatures)
+  {
+    vtkErrorMacro(<< (this->AdaptToCurvature ? "AdaptToCurvature" : "PreserveFeatures")
+                  << " is on, but this version supports neither AdaptToCurvature nor "
+                     "PreserveFeatures; turn it off.");
+    return 0;
+  }
+  const std::vector<double> times = this->Times();
+  const std::size_t step = this->OutputSteps
+    ? TimeSteps::Requested(outputVector->GetInformationObject(0), times)
+    : times.size() - 1;
+  return KernelBridge::RunToOutputs(this, { output, history },
+    [&](const evolving::Execution& execution)
+    {
+      this->Solved->Check(input, this->Options());
+      if (!this->Solved->Series)
+      {
+        this->Solve(input, execution);
+      }
+      EvolutionSeries& series = *this->Solved->Series;
+      series.WriteState(step, output, execution);
+      series.WriteHistory(history);
+      if (step + 1 == times.size())
+      {
+        WriteReport(this->Solved->Report, output);
+      }
+      if (this->OutputSteps)
+      {
+        TimeSteps::Mark(output, times[step]);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkShrinkWrap::Times() const
+{
+  const double timeStep = evolving::shrinkWrapTimeStep(this->Options());
+  return TimeSteps::Times(evolving::publishedIterations(this->NumberOfSteps, 0, 1), timeStep);
+}
+
+//------------------------------------------------------------------------------
+void vtkShrinkWrap::Solve(vtkPolyData* input, const evolving::Execution& execution)
+{
+  ++this->NumberOfSolves;
+  const evolving::SurfaceMesh target = ReadTarget(input);
+  evolving::ShrinkWrapProblem problem =
+    evolving::prepareShrinkWrap(target, this->Options(), execution.phase(0.0, 0.3));
+  const auto start = std::make_shared<const evolving::SurfaceMesh>(std::move(problem.start));
+  const auto makeFlow = [start, field = problem.field, flow = problem.flow](
+                          const evolving::Execution& host)
+  { return evolving::SurfaceFlow(*start, field, flow, host); };
+  const auto published = evolving::publishedIterations(this->NumberOfSteps, 0, 1);
+  auto series = std::make_unique<EvolutionSeries>(*start, KernelBridge::PointType(input), true,
+    makeFlow, published, SeriesBytes, execution.phase(0.3, 0.9));
+  this->Solved->Report = evolving::examine(series->Mesh(published.size() - 1, execution), target,
+    this->OffsetDistance, execution.phase(0.9, 1.0));
+  this->Solved->EdgeLength = problem.edgeLength;
+  this->Solved->Series = std::move(series);
+  this->WarnOfShortcomings();
+}
+
+//------------------------------------------------------------------------------
+void vtkShrinkWrap::WarnOfShortcomings()
+{
+  const Cache& solved = *this->Solved;
+  if (!solved.Series->Flow().stopReason().empty())
+  {
+    vtkErrorMacro(<< solved.Series->Flow().stopReason());
+  }
+  if (solved.Report.maxDistance > MembraneEdges * solved.EdgeLength)
+  {
+    vtkWarningMacro(<< "A point of the result is " << solved.Report.maxDistance
+                    << " away from the input, more than an edge length (" << solved.EdgeLength
+                    << "): a membrane was left over a hole or a deep concavity; use the "
+                       "Isosurface start, a smaller GapSize or more SampleDimensions.");
+  }
+  if (solved.Report.selfIntersections > 0)
+  {
+    vtkWarningMacro(<< "The result has " << solved.Report.selfIntersections
+                    << " pairs of triangles that intersect; use a smaller TargetEdgeLength.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShrinkWrap::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const int* n = this->SampleDimensions;
+  os << indent << "OutputSteps: " << this->OutputSteps << "\n";
+  os << indent << "Start: " << this->Start << "\n";
+  os << indent << "SampleDimensions: " << n[0] << " " << n[1] << " " << n[2] << "\n";
+  os << indent << "TargetEdgeLength: " << this->TargetEdgeLength << "\n";
+  os << indent << "GapSize: " << this->GapSize << "\n";
+  os << indent << "AdaptToCurvature: " << this->AdaptToCurvature << "\n";
+  os << indent << "PreserveFeatures: " << this->PreserveFeatures << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
+  os << indent << "OffsetDistance: " << this->OffsetDistance << "\n";
+  os << indent << "NumberOfSolves: " << this->NumberOfSolves << "\n";
+}

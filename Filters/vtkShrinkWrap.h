@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class vtkShrinkWrap
+ * @brief any mesh or point set to one clean closed surface
+ *
+ * vtkShrinkWrap takes a polydata of any quality (open, self-intersecting, duplicated or flipped
+ * faces, a soup of triangles, or points alone) and makes a closed, 2-manifold, outward oriented
+ * surface of nearly equal triangles that lies on it: it samples the distance to the input, starts
+ * from an iso-surface a little outside (or a sphere around it) and lets it evolve onto the input as
+ * vtkSurfaceEvolution does, with tangential redistribution.
+ *
+ * Output 0 is the finished surface; with OutputSteps on it is the series of the evolution, step 0
+ * the start, as of vtkSurfaceEvolution. Point and field arrays are those of vtkSurfaceEvolution;
+ * the finished surface has these field data as well: IsClosed, IsManifold (0 or 1),
+ * SelfIntersections (pairs of triangles), Genus, MinAngle (degrees), MaxDistance (largest distance
+ * of its vertices from the input, or from the offset surface).
+ *
+ * Output 1 is the vtkTable `History` of vtkSurfaceEvolution.
+ *
+ * This version evolves with fixed connectivity, as the thesis does: an Icosphere start fills the
+ * holes of handles with membranes and stretches triangles in deep concavities; a warning says so
+ * when the remaining distance shows it. AdaptToCurvature and PreserveFeatures are refused.
+ *
+ * M. Cavarga, "Optimal Discretization of 3D Objects by Evolving Surfaces", 2020, chapter 6.
+ *
+ * @sa vtkMeshSDF vtkSurfaceEvolution
+ */
+
+#ifndef vtkShrinkWrap_h
+#define vtkShrinkWrap_h
+
+#include "vtkEvolvingSurfacesFiltersModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // For the cached series
+#include <vector> // For the times
+
+namespace evolving
+{
+class Execution;
+struct ShrinkWrapOptions;
+}
+
+class VTKEVOLVINGSURFACESFILTERS_EXPORT vtkShrinkWrap : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkShrinkWrap* New();
+  vtkTypeMacro(vtkShrinkWrap, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Values of Start.
+  enum
+  {
+    ISOSURFACE = 0,
+    ICOSPHERE = 1
+  };
+
+  ///@{
+  /**
+   * Publish the evolution as time steps, step 0 the start. Off by default: the output is the
+   * finished surface.
+   */
+  vtkSetMacro(OutputSteps, bool);
+  vtkGetMacro(OutputSteps, bool);
+  vtkBooleanMacro(OutputSteps, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Where the evolution starts: an ISOSURFACE of the distance just outside the input (the default;
+   * it has the input's holes and handles), or an ICOSPHERE around it, as in the thesis.
+   */
+  vtkSetClampMacro(Start, int, ISOSURFACE, ICOSPHERE);
+  vtkGetMacro(Start, int);
+  void SetStartToIsosurface() { this->SetStart(ISOSURFACE); }
+  void SetStartToIcosphere() { this->SetStart(ICOSPHERE); }
+  ///@}
+
+  ///@{
+  /**
+   * Samples of the distance along each axis. The default is 128 x 128 x 128, the range 8 to 4096
+   * an axis.
+   */
+  void SetSampleDimensions(int x, int y, int z);
+  void SetSampleDimensions(const int dimensions[3]);
+  vtkGetVector3Macro(SampleDimensions, int);
+  ///@}
+
+  ///@{
+  /**
+   * Edge length of the result's triangles, in length units. The default is 0: sqrt(2 A / (9000
+   * sqrt(3))) with A the input's area, about 9000 points.
+   */
+  vtkSetClampMacro(TargetEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(TargetEdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Holes and gaps narrower than this close, in length units. The default is 0: two cells of the
+   * distance grid, and at least the target edge length.
+   */
+  vtkSetClampMacro(GapSize, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(GapSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Smaller triangles where the input is curved. Off; turning it on is refused in this version.
+   */
+  vtkSetMacro(AdaptToCurvature, bool);
+  vtkGetMacro(AdaptToCurvature, bool);
+  vtkBooleanMacro(AdaptToCurvature, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Edges of the result along sharp edges of the input. Off; turning it on is refused in this
+   * version.
+   */
+  vtkSetMacro(PreserveFeatures, bool);
+  vtkGetMacro(PreserveFeatures, bool);
+  vtkBooleanMacro(PreserveFeatures, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Edges whose faces' normals differ by more than this angle, in degrees, are sharp. Used with
+   * PreserveFeatures. The default is 40, the range 0 to 180.
+   */
+  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Steps of the evolution. The default is 50, the range 1 to 100000.
+   */
+  vtkSetClampMacro(NumberOfSteps, int, 1, 100000);
+  vtkGetMacro(NumberOfSteps, int);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of the result from the input, in length units, outwards. The default is 0: on it.
+   */
+  vtkSetClampMacro(OffsetDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(OffsetDistance, double);
+  ///@}
+
+  /**
+   * How often the evolution has been solved: it stays at one while only times change.
+   */
+  vtkGetMacro(NumberOfSolves, int);
+
+protected:
+  vtkShrinkWrap();
+  ~vtkShrinkWrap() override;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkShrinkWrap(const vtkShrinkWrap&) = delete;
+  void operator=(const vtkShrinkWrap&) = delete;
+
+  evolving::ShrinkWrapOptions Options() const;
+  std::vector<double> Times() const;
+  void Solve(vtkPolyData* input, const evolving::Execution& execution);
+  void WarnOfShortcomings();
+
+  bool OutputSteps = false;
+  int Start = ISOSURFACE;
+  int SampleDimensions[3] = { 128, 128, 128 };
+  double TargetEdgeLength = 0.0;
+  double GapSize = 0.0;
+  bool AdaptToCurvature = false;
+  bool PreserveFeatures = false;
+  double FeatureAngle = 40.0;
+  int NumberOfSteps = 50;
+  double OffsetDistance = 0.0;
+  int NumberOfSolves = 0;
+
+  struct Cache;
+  std::unique_ptr<Cache> Solved;
+};
+
+#endif

@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkSurfaceEvolution.h"
+
+#include "EvolutionSeries.h"
+#include "KernelBridge.h"
+#include "TimeSteps.h"
+
+#include "vtkDataObject.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+vtkStandardNewMacro(vtkSurfaceEvolution);
+
+namespace
+{
+
+//------------------------------------------------------------------------------
+std::size_t Bytes(int mebibytes)
+{
+  return static_cast<std::size_t>(mebibytes) << 20;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+/// The last solve, and what it was a solve of.
+struct vtkSurfaceEvolution::Cache
+{
+  ContentStamp Surface;
+  ContentStamp Field;
+  evolving::FlowOptions Options;
+  int OutputInterval = 0;
+  int CacheLimit = 0;
+  std::unique_ptr<EvolutionSeries> Series;
+
+  /// Forgets the series unless it is the one of these inputs and options.
+  void Check(vtkPolyData* surface, vtkImageData* field, const evolving::FlowOptions& options,
+    int interval, int limit)
+  {
+    const bool newSurface = this->Surface.Update(surface);
+    const bool newField = this->Field.Update(field);
+    if (newSurface || newField || !(options == this->Options) || interval != this->OutputInterval ||
+      limit != this->CacheLimit)
+    {
+      this->Series.reset();
+    }
+    this->Options = options;
+    this->OutputInterval = interval;
+    this->CacheLimit = limit;
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkSurfaceEvolution::vtkSurfaceEvolution()
+  : Solved(std::make_unique<Cache>())
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkSurfaceEvolution::~vtkSurfaceEvolution() = default;
+
+//------------------------------------------------------------------------------
+int vtkSurfaceEvolution::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkImageData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 0 ? 0 : 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceEvolution::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkTable");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+evolving::FlowOptions vtkSurfaceEvolution::Options() const
+{
+  evolving::FlowOptions options;
+  options.timeStep = this->TimeStep;
+  options.numberOfSteps = this->NumberOfSteps;
+  options.curvatureSpeed = this->CurvatureSpeed;
+  options.curvatureRange = this->CurvatureRange;
+  options.advectionSpeed = this->AdvectionSpeed;
+  options.advectionBalance = this->AdvectionBalance;
+  options.relativeUnits = this->RelativeUnits;
+  options.fieldMode = static_cast<evolving::FieldMode>(this->FieldMode);
+  options.edgeSharpness = this->EdgeSharpness;
+  options.redistribution.volume = this->VolumeRedistribution;
+  options.redistribution.angle = this->AngleRedistribution;
+  options.redistribution.length = this->LengthRedistribution;
+  options.redistribution.angleWeighting =
+    static_cast<evolving::AngleWeighting>(this->AngleWeighting);
+  options.redistribution.curvatureControl =
+    static_cast<evolving::CurvatureControl>(this->CurvatureControl);
+  options.redistribution.curvatureControlAlpha = this->CurvatureControlAlpha;
+  options.smoothingSteps = this->SmoothingSteps;
+  options.smoothingSpeed = this->SmoothingSpeed;
+  options.smoothingDecay = this->SmoothingDecay;
+  options.boundaryMode = static_cast<evolving::BoundaryMode>(this->BoundaryMode);
+  options.surfaceGuard = this->SurfaceGuard;
+  options.convergenceTolerance = this->ConvergenceTolerance;
+  options.solverTolerance = this->SolverTolerance;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceEvolution::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  const auto published =
+    evolving::publishedIterations(this->NumberOfSteps, this->SmoothingSteps, this->OutputInterval);
+  TimeSteps::Publish(
+    outputVector->GetInformationObject(0), TimeSteps::Times(published, this->TimeStep));
+  TimeSteps::Remove(outputVector->GetInformationObject(1));
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceEvolution::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  vtkInformation* surface = inputVector[0]->GetInformationObject(0);
+  KernelBridge::RequestWholeInput(surface);
+  TimeSteps::RequestLastStep(surface);
+  if (vtkInformation* field = inputVector[1]->GetInformationObject(0))
+  {
+    KernelBridge::RequestWholeImage(field);
+    TimeSteps::RequestLastStep(field);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceEvolution::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkImageData* field = vtkImageData::GetData(inputVector[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkTable* history = vtkTable::GetData(outputVector, 1);
+  if (!KernelBridge::WritesGeometry(request, outputVector))
+  {
+    EvolutionArrays::WriteEmpty(output, field != nullptr);
+    EvolutionArrays::WriteEmptyHistory(history);
+    return 1;
+  }
+  if (!input || !KernelBridge::HasFaces(input))
+  {
+    return KernelBridge::RefuseUnlessEmpty(this, input);
+  }
+  const evolving::FlowOptions options = this->Options();
+  const auto published =
+    evolving::publishedIterations(this->NumberOfSteps, this->SmoothingSteps, this->OutputInterval);
+  const auto times = TimeSteps::Times(published, this->TimeStep);
+  const std::size_t step = TimeSteps::Requested(outputVector->GetInformationObject(0), times);
+  Cache& cache = *this->Solved;
+  cache.Check(input, field, options, this->OutputInterval, this->CacheLimit);
+  return KernelBridge::RunToOutputs(this, { output, history },
+    [&](const evolving::Execution& execution)
+    {
+      if (!cache.Series)
+      {
+        cache.Series = this->Solve(input, field, published, execution);
+      }
+      cache.Series->WriteState(step, output, execution);
+      cache.Series->WriteHistory(history);
+      TimeSteps::Mark(output, times[step]);
+    });
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<EvolutionSeries> vtkSurfaceEvolution::Solve(vtkPolyData* input, vtkImageData* field,
+  const std::vector<int>& published, const evolving::Execution& execution)
+{
+  const auto start = std::make_shared<const evolving::SurfaceMesh>(
+    evolving::weldCoincidentPoints(KernelBridge::ReadSurface(input).mesh));
+  std::shared_ptr<const evolving::ScalarImage> image;
+  if (field)
+  {
+    image = std::make_shared<const evolving::ScalarImage>(KernelBridge::ReadImage(field));
+  }
+  const evolving::FlowOptions options = this->Options();
+  ++this->NumberOfSolves;
+  auto series = std::make_unique<EvolutionSeries>(
+    *start, KernelBridge::PointType(input), image != nullptr,
+    [start, image, options](const evolving::Execution& host)
+    { return evolving::SurfaceFlow(*start, image, options, host); },
+    published, Bytes(this->CacheLimit), execution);
+  if (!series->Flow().stopReason().empty())
+  {
+    vtkErrorMacro(<< series->Flow().stopReason());
+  }
+  return series;
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceEvolution::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "TimeStep: " << this->TimeStep << "\n";
+  os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
+  os << indent << "OutputInterval: " << this->OutputInterval << "\n";
+  os << indent << "CurvatureSpeed: " << this->CurvatureSpeed << "\n";
+  os << indent << "CurvatureRange: " << this->CurvatureRange << "\n";
+  os << indent << "AdvectionSpeed: " << this->AdvectionSpeed << "\n";
+  os << indent << "AdvectionBalance: " << this->AdvectionBalance << "\n";
+  os << indent << "RelativeUnits: " << this->RelativeUnits << "\n";
+  os << indent << "FieldMode: " << this->FieldMode << "\n";
+  os << indent << "EdgeSharpness: " << this->EdgeSharpness << "\n";
+  os << indent << "VolumeRedistribution: " << this->VolumeRedistribution << "\n";
+  os << indent << "AngleRedistribution: " << this->AngleRedistribution << "\n";
+  os << indent << "LengthRedistribution: " << this->LengthRedistribution << "\n";
+  os << indent << "AngleWeighting: " << this->AngleWeighting << "\n";
+  os << indent << "CurvatureControl: " << this->CurvatureControl << "\n";
+  os << indent << "CurvatureControlAlpha: " << this->CurvatureControlAlpha << "\n";
+  os << indent << "SmoothingSteps: " << this->SmoothingSteps << "\n";
+  os << indent << "SmoothingSpeed: " << this->SmoothingSpeed << "\n";
+  os << indent << "SmoothingDecay: " << this->SmoothingDecay << "\n";
+  os << indent << "BoundaryMode: " << this->BoundaryMode << "\n";
+  os << indent << "SurfaceGuard: " << this->SurfaceGuard << "\n";
+  os << indent << "ConvergenceTolerance: " << this->ConvergenceTolerance << "\n";
+  os << indent << "Remeshing: " << this->Remeshing << "\n";
+  os << indent << "SolverTolerance: " << this->SolverTolerance << "\n";
+  os << indent << "CacheLimit: " << this->CacheLimit << "\n";
+  os << indent << "NumberOfSolves: " << this->NumberOfSolves << "\n";
+}

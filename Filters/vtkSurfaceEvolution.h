@@ -1,0 +1,394 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class vtkSurfaceEvolution
+ * @brief evolves a surface by curvature, towards a distance field, with even elements
+ *
+ * vtkSurfaceEvolution moves the points of a surface by
+ *
+ *   d_t F = epsilon Laplace F + eta N + v_T                                              (4.1)
+ *
+ * with mean curvature flow (epsilon), advection along a signed distance field (eta) and
+ * tangential redistribution of the points (v_T); finite volumes in space, semi-implicit in time.
+ *
+ * Input 0 is the start surface: triangles, quads or polygons, oriented and 2-manifold, closed or
+ * with boundary; coincident points are joined first. Input 1, optional, is a vtkImageData whose
+ * active point scalars are the field: a signed distance (negative inside, as vtkMeshSDF makes it),
+ * or an image to segment (`FieldMode`). Without it the flow is pure mean curvature flow.
+ *
+ * Output 0 is the surface at a time step: t = 0 is the start, then every OutputInterval-th step,
+ * the last one always. An update without a time gives the last step, the result. The flow is
+ * solved once, whatever the order in which times are asked for. Point arrays: SignedDistance,
+ * DistanceGradient (with a field), Normals, MeanCurvature, CoVolume, NormalVelocity,
+ * TangentialVelocity, RedistributionPotential. Field data: Iteration, Time, Area, Volume,
+ * MeanDistance, MaxDistance, MinAngle; and Stopped, the step after which the flow could not go on,
+ * where that happened.
+ *
+ * Output 1 is a vtkTable `History` with one row for every computed step.
+ *
+ * Units. With RelativeUnits on, lengths are measured in L, the radius of the target's bounding
+ * sphere (half the diagonal of the box of the samples inside; without a field, and for an edge
+ * detector, of the input's box), so that the same numbers serve a model of any size. Rates are
+ * per unit of time.
+ *
+ * M. Cavarga, "Optimal Discretization of 3D Objects by Evolving Surfaces", 2020, chapters 3, 4, 6.
+ *
+ * @sa vtkMeshSDF vtkTangentialRedistribution vtkShrinkWrap vtkIcosphereSource
+ */
+
+#ifndef vtkSurfaceEvolution_h
+#define vtkSurfaceEvolution_h
+
+#include "vtkEvolvingSurfacesFiltersModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // For the cached series
+#include <vector> // For the published iterations
+
+class EvolutionSeries;
+class vtkImageData;
+class vtkPolyData;
+
+namespace evolving
+{
+class Execution;
+struct FlowOptions;
+}
+
+class VTKEVOLVINGSURFACESFILTERS_EXPORT vtkSurfaceEvolution : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSurfaceEvolution* New();
+  vtkTypeMacro(vtkSurfaceEvolution, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Values of FieldMode.
+  enum
+  {
+    DISTANCE_FIELD = 0,
+    EDGE_DETECTOR = 1
+  };
+
+  /// Values of AngleWeighting.
+  enum
+  {
+    WEIGHTING_NONE = 0,
+    INVERSE_AREA = 1,
+    DISTANCE = 2
+  };
+
+  /// Values of CurvatureControl.
+  enum
+  {
+    CONTROL_NONE = 0,
+    CUBE_ROOT = 1,
+    TWO_THIRDS = 2,
+    EXPONENTIAL = 3
+  };
+
+  /// Values of BoundaryMode.
+  enum
+  {
+    FIXED = 0,
+    SLIDE_ALONG = 1,
+    FREE = 2
+  };
+
+  /// Values of Remeshing.
+  enum
+  {
+    OFF = 0
+  };
+
+  /// The field: a vtkImageData on input port 1.
+  void SetDistanceFieldConnection(vtkAlgorithmOutput* field) { this->SetInputConnection(1, field); }
+
+  ///@{
+  /**
+   * Length of a time step tau. The default is 0.03, the range above 0.
+   */
+  vtkSetClampMacro(TimeStep, double, 1e-12, 1e12);
+  vtkGetMacro(TimeStep, double);
+  ///@}
+
+  ///@{
+  /**
+   * Number of time steps. The default is 150, the range 0 to 1000000.
+   */
+  vtkSetClampMacro(NumberOfSteps, int, 0, 1000000);
+  vtkGetMacro(NumberOfSteps, int);
+  ///@}
+
+  ///@{
+  /**
+   * Every how many steps a state is published as a time step. The default is 1.
+   */
+  vtkSetClampMacro(OutputInterval, int, 1, 1000000);
+  vtkGetMacro(OutputInterval, int);
+  ///@}
+
+  ///@{
+  /**
+   * C1 of (3.7), the speed of mean curvature flow far from the target, in length^2/time (L^2/time
+   * in relative units); b of the edge detector. Without a field this is epsilon itself. 0 switches
+   * the term off. The default is 0.1, the range 0 and above.
+   */
+  vtkSetClampMacro(CurvatureSpeed, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(CurvatureSpeed, double);
+  ///@}
+
+  ///@{
+  /**
+   * C2 of (3.7), in length^2 (L^2 in relative units): mean curvature flow fades within its root of
+   * the target. The default is 0.1, the range above 0.
+   */
+  vtkSetClampMacro(CurvatureRange, double, VTK_DBL_MIN, VTK_DOUBLE_MAX);
+  vtkGetMacro(CurvatureRange, double);
+  ///@}
+
+  ///@{
+  /**
+   * C of (3.8), the rate at which the distance to the target decreases, per time; a of the edge
+   * detector. 0 switches the term off. The default is 1, the range 0 and above.
+   */
+  vtkSetClampMacro(AdvectionSpeed, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(AdvectionSpeed, double);
+  ///@}
+
+  ///@{
+  /**
+   * D of (3.8): how much a surface also moves where the field's gradient is tangential to it. It
+   * pulls the surface into concavities. The default is 0, the range 0 to 1.
+   */
+  vtkSetClampMacro(AdvectionBalance, double, 0.0, 1.0);
+  vtkGetMacro(AdvectionBalance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Measure lengths in L (see above). On by default.
+   */
+  vtkSetMacro(RelativeUnits, bool);
+  vtkGetMacro(RelativeUnits, bool);
+  vtkBooleanMacro(RelativeUnits, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What the image is: DISTANCE_FIELD (the default), or EDGE_DETECTOR: an intensity I whose edges
+   * attract the surface by v_N = b e Laplace F + a (grad e . N) N, e = 1 / (1 + K |grad I|^2)
+   * (section 3.2).
+   */
+  vtkSetClampMacro(FieldMode, int, DISTANCE_FIELD, EDGE_DETECTOR);
+  vtkGetMacro(FieldMode, int);
+  void SetFieldModeToDistanceField() { this->SetFieldMode(DISTANCE_FIELD); }
+  void SetFieldModeToEdgeDetector() { this->SetFieldMode(EDGE_DETECTOR); }
+  ///@}
+
+  ///@{
+  /**
+   * K of the edge detector, in (length/intensity)^2; 0 when the image is e itself. The default
+   * is 0, the range 0 and above.
+   */
+  vtkSetClampMacro(EdgeSharpness, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(EdgeSharpness, double);
+  ///@}
+
+  ///@{
+  /**
+   * omega of the volume-based redistribution (3.19), per time: co-volumes become equal at this
+   * rate. 0, the default, switches it off.
+   */
+  vtkSetClampMacro(VolumeRedistribution, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(VolumeRedistribution, double);
+  ///@}
+
+  ///@{
+  /**
+   * omega of the angle-based redistribution (3.24), per time. 0, the default, switches it off.
+   */
+  vtkSetClampMacro(AngleRedistribution, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(AngleRedistribution, double);
+  ///@}
+
+  ///@{
+  /**
+   * omega of the length-based redistribution (3.23) along boundary curves and regular mesh lines,
+   * per time. 0, the default, switches it off.
+   */
+  vtkSetClampMacro(LengthRedistribution, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(LengthRedistribution, double);
+  ///@}
+
+  ///@{
+  /**
+   * Weight of the angle-based velocity, against the accumulation of points at irregular ones
+   * (section 6.2): none (the default), the inverse co-volume, or the distance to the target.
+   */
+  vtkSetClampMacro(AngleWeighting, int, WEIGHTING_NONE, DISTANCE);
+  vtkGetMacro(AngleWeighting, int);
+  void SetAngleWeightingToNone() { this->SetAngleWeighting(WEIGHTING_NONE); }
+  void SetAngleWeightingToInverseArea() { this->SetAngleWeighting(INVERSE_AREA); }
+  void SetAngleWeightingToDistance() { this->SetAngleWeighting(DISTANCE); }
+  ///@}
+
+  ///@{
+  /**
+   * What the volume-based redistribution makes co-volumes proportional to: 1 / f(H), with f = 1
+   * (the default), |H|^(1/3), |H|^(2/3) or exp(alpha |H|) (3.21).
+   */
+  vtkSetClampMacro(CurvatureControl, int, CONTROL_NONE, EXPONENTIAL);
+  vtkGetMacro(CurvatureControl, int);
+  void SetCurvatureControlToNone() { this->SetCurvatureControl(CONTROL_NONE); }
+  void SetCurvatureControlToCubeRoot() { this->SetCurvatureControl(CUBE_ROOT); }
+  void SetCurvatureControlToTwoThirds() { this->SetCurvatureControl(TWO_THIRDS); }
+  void SetCurvatureControlToExponential() { this->SetCurvatureControl(EXPONENTIAL); }
+  ///@}
+
+  ///@{
+  /**
+   * alpha of EXPONENTIAL curvature control, a length (times L in relative units). The default
+   * is 0.1, the range 0 and above.
+   */
+  vtkSetClampMacro(CurvatureControlAlpha, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(CurvatureControlAlpha, double);
+  ///@}
+
+  ///@{
+  /**
+   * Steps of smoothing after the evolution (section 6.3). The default is 0, the range to 100000.
+   */
+  vtkSetClampMacro(SmoothingSteps, int, 0, 100000);
+  vtkGetMacro(SmoothingSteps, int);
+  ///@}
+
+  ///@{
+  /**
+   * S0 of the smoothing speed epsilon(t) = S0 exp(-lambda t), length^2/time (L^2/time in relative
+   * units). The default is 0.001, the range 0 and above.
+   */
+  vtkSetClampMacro(SmoothingSpeed, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(SmoothingSpeed, double);
+  ///@}
+
+  ///@{
+  /**
+   * lambda of the smoothing speed, per smoothing step. The default is 0.1, the range 0 and above.
+   */
+  vtkSetClampMacro(SmoothingDecay, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(SmoothingDecay, double);
+  ///@}
+
+  ///@{
+  /**
+   * What boundary points do: FIXED (the default), SLIDE_ALONG the boundary curve, or FREE.
+   */
+  vtkSetClampMacro(BoundaryMode, int, FIXED, FREE);
+  vtkGetMacro(BoundaryMode, int);
+  void SetBoundaryModeToFixed() { this->SetBoundaryMode(FIXED); }
+  void SetBoundaryModeToSlideAlong() { this->SetBoundaryMode(SLIDE_ALONG); }
+  void SetBoundaryModeToFree() { this->SetBoundaryMode(FREE); }
+  ///@}
+
+  ///@{
+  /**
+   * Without a field: a point that leaves the start's box enlarged by this factor ends the run with
+   * what was reached (algorithm 7). The default is 2, the range 1 and above.
+   */
+  vtkSetClampMacro(SurfaceGuard, double, 1.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(SurfaceGuard, double);
+  ///@}
+
+  ///@{
+  /**
+   * End when no point moves faster than this fraction of L per time; later time steps repeat the
+   * last state. The default is 0: run all steps.
+   */
+  vtkSetClampMacro(ConvergenceTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ConvergenceTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Change of the connectivity during the evolution. The default, and in this version the only
+   * value, is OFF.
+   */
+  vtkSetClampMacro(Remeshing, int, OFF, OFF);
+  vtkGetMacro(Remeshing, int);
+  void SetRemeshingToOff() { this->SetRemeshing(OFF); }
+  ///@}
+
+  ///@{
+  /**
+   * Relative residual at which the linear solvers stop. The default is 1e-10, the range 1e-15 to
+   * 1e-2.
+   */
+  vtkSetClampMacro(SolverTolerance, double, 1e-15, 1e-2);
+  vtkGetMacro(SolverTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Memory for the states of the series, in MiB. Above it every second state is dropped and
+   * computed again when asked for. The default is 2048, the range 1 and above.
+   */
+  vtkSetClampMacro(CacheLimit, int, 1, VTK_INT_MAX);
+  vtkGetMacro(CacheLimit, int);
+  ///@}
+
+  /**
+   * How often the flow has been solved from its start: it stays at one while only times change.
+   */
+  vtkGetMacro(NumberOfSolves, int);
+
+protected:
+  vtkSurfaceEvolution();
+  ~vtkSurfaceEvolution() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkSurfaceEvolution(const vtkSurfaceEvolution&) = delete;
+  void operator=(const vtkSurfaceEvolution&) = delete;
+
+  evolving::FlowOptions Options() const;
+  std::unique_ptr<EvolutionSeries> Solve(vtkPolyData* input, vtkImageData* field,
+    const std::vector<int>& published, const evolving::Execution& execution);
+
+  double TimeStep = 0.03;
+  int NumberOfSteps = 150;
+  int OutputInterval = 1;
+  double CurvatureSpeed = 0.1;
+  double CurvatureRange = 0.1;
+  double AdvectionSpeed = 1.0;
+  double AdvectionBalance = 0.0;
+  bool RelativeUnits = true;
+  int FieldMode = DISTANCE_FIELD;
+  double EdgeSharpness = 0.0;
+  double VolumeRedistribution = 0.0;
+  double AngleRedistribution = 0.0;
+  double LengthRedistribution = 0.0;
+  int AngleWeighting = WEIGHTING_NONE;
+  int CurvatureControl = CONTROL_NONE;
+  double CurvatureControlAlpha = 0.1;
+  int SmoothingSteps = 0;
+  double SmoothingSpeed = 0.001;
+  double SmoothingDecay = 0.1;
+  int BoundaryMode = FIXED;
+  double SurfaceGuard = 2.0;
+  double ConvergenceTolerance = 0.0;
+  int Remeshing = OFF;
+  double SolverTolerance = 1e-10;
+  int CacheLimit = 2048;
+  int NumberOfSolves = 0;
+
+  struct Cache;
+  std::unique_ptr<Cache> Solved;
+};
+
+#endif

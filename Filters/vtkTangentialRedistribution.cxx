@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkTangentialRedistribution.h"
+
+#include "EvolutionSeries.h"
+#include "KernelBridge.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkTangentialRedistribution);
+
+//------------------------------------------------------------------------------
+evolving::SurfaceRedistributionOptions vtkTangentialRedistribution::Options() const
+{
+  evolving::SurfaceRedistributionOptions options;
+  options.numberOfSteps = this->NumberOfSteps;
+  options.timeStep = this->TimeStep;
+  options.redistribution.volume = this->VolumeRedistribution;
+  options.redistribution.angle = this->AngleRedistribution;
+  options.redistribution.length = this->LengthRedistribution;
+  options.redistribution.angleWeighting =
+    static_cast<evolving::AngleWeighting>(this->AngleWeighting);
+  options.redistribution.curvatureControl =
+    static_cast<evolving::CurvatureControl>(this->CurvatureControl);
+  options.redistribution.curvatureControlAlpha = this->CurvatureControlAlpha;
+  options.preserveShape = this->PreserveShape;
+  options.boundaryMode = static_cast<evolving::BoundaryMode>(this->BoundaryMode);
+  options.featureAngle = this->FeatureAngle;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+int vtkTangentialRedistribution::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  KernelBridge::RequestWholeInput(inputVector[0]->GetInformationObject(0));
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkTangentialRedistribution::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (!KernelBridge::WritesGeometry(request, outputVector))
+  {
+    KernelBridge::CopyWithoutTuples(input, output);
+    EvolutionArrays::WriteShapeArrays({}, output);
+    return 1;
+  }
+  if (!input || !KernelBridge::HasFaces(input))
+  {
+    return KernelBridge::RefuseUnlessEmpty(this, input);
+  }
+  return KernelBridge::RunToOutputs(this, { output },
+    [&](const evolving::Execution& execution)
+    {
+      const KernelBridge::WeldedSurface surface = KernelBridge::ReadWelded(input);
+      const evolving::SurfaceRedistributionResult result =
+        evolving::redistributeSurface(surface.mesh, this->Options(), execution);
+      output->ShallowCopy(input);
+      KernelBridge::MoveWeldedPoints(surface, result.mesh.points, output);
+      EvolutionArrays::WriteShapeArrays(KernelBridge::Unweld(surface, result.arrays), output);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkTangentialRedistribution::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
+  os << indent << "TimeStep: " << this->TimeStep << "\n";
+  os << indent << "VolumeRedistribution: " << this->VolumeRedistribution << "\n";
+  os << indent << "AngleRedistribution: " << this->AngleRedistribution << "\n";
+  os << indent << "LengthRedistribution: " << this->LengthRedistribution << "\n";
+  os << indent << "AngleWeighting: " << this->AngleWeighting << "\n";
+  os << indent << "CurvatureControl: " << this->CurvatureControl << "\n";
+  os << indent << "CurvatureControlAlpha: " << this->CurvatureControlAlpha << "\n";
+  os << indent << "PreserveShape: " << this->PreserveShape << "\n";
+  os << indent << "BoundaryMode: " << this->BoundaryMode << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+}
