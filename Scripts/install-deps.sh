@@ -1,0 +1,101 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Installs the packages that building and testing need and that are missing; does nothing when all
+# are there. For Debian 12 and systems with the same packages. Works as root or with sudo.
+#
+# EVOLVINGSURFACES_SKIP_INSTALL=1 skips it: the packages are then yours to provide.
+set -euo pipefail
+
+packages=(
+  # compiler and build tools
+  g++ make cmake ninja-build
+  # ParaView's SDK with its VTK and Python, and the kernel's libraries
+  paraview-dev python3-paraview python3-dev libeigen3-dev libgtest-dev
+  # what find_package(ParaView) looks for
+  qtbase5-dev qttools5-dev libqt5svg5-dev libqt5opengl5-dev qtxmlpatterns5-dev-tools
+  libdouble-conversion-dev libxml2-dev libexpat1-dev libutfcpp-dev libhdf5-openmpi-dev
+  libnetcdf-dev libgdal-dev libgl-dev libglew-dev libgl2ps-dev libfreetype-dev libpng-dev
+  libogg-dev libtheora-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
+  # a display for rendering
+  xvfb xauth
+)
+
+say() { echo "install-deps: $*"; }
+
+fail()
+{
+  echo "install-deps: $*" >&2
+  exit 1
+}
+
+is_installed()
+{
+  [[ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" == installed ]]
+}
+
+find_missing()
+{
+  missing=()
+  local package
+  for package in "${packages[@]}"; do
+    is_installed "$package" || missing+=("$package")
+  done
+}
+
+as_root()
+{
+  if [[ $EUID -eq 0 ]]; then
+    env DEBIAN_FRONTEND=noninteractive "$@"
+  else
+    sudo env DEBIAN_FRONTEND=noninteractive "$@"
+  fi
+}
+
+# Other VTK packages exclude ParaView's: say so before apt removes them, and ask where one can.
+confirm_removals()
+{
+  local removed answer
+  removed="$(apt-get install --simulate --no-install-recommends "${missing[@]}" 2>/dev/null |
+    awk '$1 == "Remv" { print $2 }' | sort | tr '\n' ' ')" || true
+  [[ -n "$removed" ]] || return 0
+  say "ParaView's packages exclude these installed ones, which will be removed: $removed"
+  if [[ -t 0 && -t 1 ]]; then
+    read -r -p "install-deps: go on? [y/N] " answer
+    [[ "$answer" == [yY]* ]] || fail "Nothing was changed; set EVOLVINGSURFACES_SKIP_INSTALL=1 to" \
+      "build without installing packages."
+  fi
+}
+
+if [[ "${EVOLVINGSURFACES_SKIP_INSTALL:-0}" == 1 ]]; then
+  say "skipped, as EVOLVINGSURFACES_SKIP_INSTALL=1 asks."
+  exit 0
+fi
+if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+  fail "This system has no apt-get; install ParaView's development files, Qt 5, Eigen 3.4," \
+    "GoogleTest, CMake, Ninja and Xvfb with your package manager and set" \
+    "EVOLVINGSURFACES_SKIP_INSTALL=1."
+fi
+
+find_missing
+if [[ ${#missing[@]} -eq 0 ]]; then
+  say "all ${#packages[@]} packages are there."
+  exit 0
+fi
+if [[ $EUID -ne 0 ]] && ! command -v sudo >/dev/null; then
+  fail "Installing packages needs root or sudo; as root run: apt-get install" \
+    "--no-install-recommends ${missing[*]}"
+fi
+
+say "${#missing[@]} of ${#packages[@]} packages are missing: ${missing[*]}"
+say "updating the package lists"
+as_root apt-get update -q || say "the package lists could not be updated; trying with those here."
+confirm_removals
+say "installing"
+as_root apt-get install -q -y --no-install-recommends -o Dpkg::Use-Pty=0 "${missing[@]}" ||
+  fail "apt-get could not install the packages, see its message above; this script knows the" \
+    "package names of Debian 12."
+find_missing
+[[ ${#missing[@]} -eq 0 ]] || fail "Still missing after the installation: ${missing[*]}"
+say "done."
