@@ -50,6 +50,9 @@ namespace KernelBridge
 namespace
 {
 
+/// Starting VTK's threads costs as much as two or three tasks of the kernel's smallest size.
+constexpr std::int64_t FewestParallelTasks = 4;
+
 /// What a sample costs while distance and sign are computed, beyond the input.
 constexpr vtkIdType BytesPerSample = 32;
 
@@ -68,6 +71,14 @@ evolving::Execution ExecutionOf(vtkAlgorithm* filter)
 {
   const auto parallelFor = [](std::int64_t count, const std::function<void(std::int64_t)>& task)
   {
+    if (count < FewestParallelTasks)
+    {
+      for (std::int64_t i = 0; i < count; ++i)
+      {
+        task(i);
+      }
+      return;
+    }
     vtkSMPTools::For(0, count, 1,
       [&task](vtkIdType begin, vtkIdType end)
       {
@@ -180,9 +191,8 @@ void ReadStrips(vtkPolyData* input, Surface& surface)
     {
       // Every second triangle of a strip runs the other way.
       const vtkIdType odd = i % 2;
-      surface.mesh.addFace(
-        { static_cast<evolving::Index>(ids[i]), static_cast<evolving::Index>(ids[i + 1 + odd]),
-          static_cast<evolving::Index>(ids[i + 2 - odd]) });
+      surface.mesh.addFace({ CheckedIndex(ids[i], input), CheckedIndex(ids[i + 1 + odd], input),
+        CheckedIndex(ids[i + 2 - odd], input) });
       surface.cellOfFace.push_back(cell);
     }
   }
@@ -354,6 +364,7 @@ void MoveWeldedPoints(
   const WeldedSurface& surface, const std::vector<evolving::Vec3>& points, vtkPolyData* output)
 {
   vtkNew<vtkPoints> moved;
+  moved->SetDataType(output->GetPoints()->GetDataType());
   moved->DeepCopy(output->GetPoints());
   for (std::size_t i = 0; i < surface.vertexOfPoint.size(); ++i)
   {
@@ -594,6 +605,8 @@ void AddFieldValue(vtkDataObject* data, const char* name, const std::string& val
 //------------------------------------------------------------------------------
 void RequestWholeInput(vtkInformation* inputRequest)
 {
+  // VTK hands the extent of an image behind this filter on, through polydata, to images before it.
+  inputRequest->Remove(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
   inputRequest->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
   inputRequest->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
   inputRequest->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);

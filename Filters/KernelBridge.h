@@ -21,6 +21,7 @@
 #include "Evolution/SurfaceRedistribution.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
+#include "Mesh/TopologySummary.h"
 #include "ShrinkWrap/ShrinkWrap.h"
 #include "ShrinkWrap/SurfaceReport.h"
 #include "StartSurface/PrimitiveSurfaces.h"

@@ -155,6 +155,21 @@ evolving::DistanceGrid vtkMeshSDF::GridFor(const evolving::SurfaceMesh& mesh) co
 }
 
 //------------------------------------------------------------------------------
+void vtkMeshSDF::PublishGrid(vtkInformation* info) const
+{
+  try
+  {
+    const evolving::DistanceGrid grid = this->GridFor({});
+    info->Set(vtkDataObject::ORIGIN(), grid.origin.data(), 3);
+    info->Set(vtkDataObject::SPACING(), grid.spacing.data(), 3);
+  }
+  catch (const evolving::InputError&)
+  {
+    // Bounds without extent: RequestData says so, once, and leaves the output empty.
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkMeshSDF::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
@@ -169,15 +184,11 @@ int vtkMeshSDF::RequestInformation(
   info->Remove(vtkDataObject::SPACING());
   if (KernelBridge::AreValidBounds(this->ModelBounds))
   {
-    const evolving::DistanceGrid grid = this->GridFor({});
-    info->Set(vtkDataObject::ORIGIN(), grid.origin.data(), 3);
-    info->Set(vtkDataObject::SPACING(), grid.spacing.data(), 3);
+    this->PublishGrid(info);
   }
-  info->Remove(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT());
-  if (evolving::canComputeParts(this->Options()))
-  {
-    info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
-  }
+  // Also where the method needs the whole grid: it hands out the part that is asked for, so that
+  // several ranks do not all draw everything.
+  info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
   return 1;
 }
 

@@ -198,6 +198,7 @@ private:
 
   evolving::SignedDistanceOptions Options() const;
   evolving::DistanceGrid GridFor(const evolving::SurfaceMesh& mesh) const;
+  void PublishGrid(vtkInformation* info) const;
 
   int SampleDimensions[3] = { 128, 128, 128 };
   double Padding = 0.1;

@@ -200,6 +200,8 @@ std::vector<double> vtkShrinkWrap::Times() const
 void vtkShrinkWrap::Solve(vtkPolyData* input, const evolving::Execution& execution)
 {
   ++this->NumberOfSolves;
+  const int* n = this->SampleDimensions;
+  KernelBridge::RequireMemory(evolving::GridIndex(n[0]) * n[1] * n[2]);
   const evolving::SurfaceMesh target = ReadTarget(input);
   evolving::ShrinkWrapProblem problem =
     evolving::prepareShrinkWrap(target, this->Options(), execution.phase(0.0, 0.3));

@@ -26,6 +26,17 @@ std::size_t Bytes(int mebibytes)
   return static_cast<std::size_t>(mebibytes) << 20;
 }
 
+//------------------------------------------------------------------------------
+/// The input welded and, where it is closed, with normals outwards: contour filters turn them to
+/// lower values, which is inwards for a signed distance.
+evolving::SurfaceMesh StartSurface(const KernelBridge::Surface& surface)
+{
+  const evolving::SurfaceMesh start = evolving::weldCoincidentPoints(surface.mesh);
+  const bool isInsideOut =
+    evolving::summarizeTopology(start).isClosed() && evolving::signedVolume(start) < 0.0;
+  return isInsideOut ? evolving::reversed(start) : start;
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -182,8 +193,8 @@ int vtkSurfaceEvolution::RequestData(
 std::unique_ptr<EvolutionSeries> vtkSurfaceEvolution::Solve(vtkPolyData* input, vtkImageData* field,
   const std::vector<int>& published, const evolving::Execution& execution)
 {
-  const auto start = std::make_shared<const evolving::SurfaceMesh>(
-    evolving::weldCoincidentPoints(KernelBridge::ReadSurface(input).mesh));
+  const auto start =
+    std::make_shared<const evolving::SurfaceMesh>(StartSurface(KernelBridge::ReadSurface(input)));
   std::shared_ptr<const evolving::ScalarImage> image;
   if (field)
   {

@@ -13,9 +13,10 @@
  * tangential redistribution of the points (v_T); finite volumes in space, semi-implicit in time.
  *
  * Input 0 is the start surface: triangles, quads or polygons, oriented and 2-manifold, closed or
- * with boundary; coincident points are joined first. Input 1, optional, is a vtkImageData whose
- * active point scalars are the field: a signed distance (negative inside, as vtkMeshSDF makes it),
- * or an image to segment (`FieldMode`). Without it the flow is pure mean curvature flow.
+ * with boundary; coincident points are joined first, and a closed surface that is inside out, as
+ * contour filters make it of a signed distance, is turned. Input 1, optional, is a vtkImageData
+ * whose active point scalars are the field: a signed distance (negative inside, as vtkMeshSDF makes
+ * it), or an image to segment (`FieldMode`). Without it the flow is pure mean curvature flow.
  *
  * Output 0 is the surface at a time step: t = 0 is the start, then every OutputInterval-th step,
  * the last one always. An update without a time gives the last step, the result. The flow is

@@ -47,7 +47,8 @@ public:
 
   /**
    * As forRange, but in batches of chunks, with progress from 0 to 1 and a look at the stop
-   * request between them. For loops that may last longer than half a second.
+   * request between them. For loops that may last longer than half a second. A chunk should take
+   * a few milliseconds at most: where chunks take longer than a batch, they run one by one.
    * @throws Cancelled
    */
   void forRangeReporting(std::int64_t count, std::int64_t grain, const RangeBody& body) const;

@@ -37,6 +37,21 @@ private:
   std::size_t Size = 0;
 };
 
+/// The squared distance from a point to a box, 0 inside.
+template <typename Scalar>
+inline double squaredGap(const Eigen::AlignedBox<Scalar, 3>& box, const Vec3& point)
+{
+  double sum = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double below = static_cast<double>(box.min()[axis]) - point[axis];
+    const double above = point[axis] - static_cast<double>(box.max()[axis]);
+    const double gap = std::max(std::max(below, above), 0.0);
+    sum += gap * gap;
+  }
+  return sum;
+}
+
 /// Calls visit(leaf) for the leaves whose boxes, and whose parents' boxes, pass; until it
 /// returns true.
 template <typename Passes, typename Visit>
@@ -67,11 +82,12 @@ void visitLeaves(const std::vector<AABBTree::Node>& nodes, Passes passes, Visit 
 }
 
 /// Nearer, or as near and of a smaller number; NoIndex, as an unsigned number, is the largest.
-bool isCloser(const TrianglePoint& at, Index triangle, const ClosestTriangle& best)
+template <typename Candidate>
+bool isCloser(const Candidate& a, const Candidate& b)
 {
-  return at.squaredDistance < best.at.squaredDistance ||
-    (at.squaredDistance == best.at.squaredDistance &&
-      static_cast<std::uint32_t>(triangle) < static_cast<std::uint32_t>(best.triangle));
+  return a.squaredDistance < b.squaredDistance ||
+    (a.squaredDistance == b.squaredDistance &&
+      static_cast<std::uint32_t>(a.triangle) < static_cast<std::uint32_t>(b.triangle));
 }
 
 } // namespace
@@ -91,41 +107,46 @@ AABBTree::AABBTree(const SurfaceMesh& mesh, const Execution& execution)
     this->Triangles.push_back(
       { { mesh.facePoint(face, 0), mesh.facePoint(face, 1), mesh.facePoint(face, 2) } });
   }
+  this->Measured.reserve(this->Triangles.size());
+  for (const Triangle& triangle : this->Triangles)
+  {
+    this->Measured.emplace_back(triangle);
+  }
   AABBTreeBuilder::build(*this, execution);
 }
 
-void AABBTree::visitLeaf(const Node& leaf, const Vec3& point, ClosestTriangle& best) const
+void AABBTree::visitLeaf(const Node& leaf, const Vec3& point, Candidate& best) const
 {
   const Index* triangles = this->LeafTriangles.data() + leaf.firstTriangle;
+  const Eigen::AlignedBox3f* boxes = this->LeafBoxes.data() + leaf.firstTriangle;
   for (Index k = 0; k < leaf.triangleCount; ++k)
   {
-    const TrianglePoint at = closestPointOnTriangle(point, this->triangle(triangles[k]));
-    if (isCloser(at, triangles[k], best))
+    if (triangles[k] != best.triangle && squaredGap(boxes[k], point) <= best.squaredDistance)
     {
-      best = { triangles[k], at };
+      const Candidate candidate{ triangles[k], this->squaredDistance(triangles[k], point) };
+      best = isCloser(candidate, best) ? candidate : best;
     }
   }
 }
 
 ClosestTriangle AABBTree::closest(const Vec3& point, double squaredBound, Index guess) const
 {
-  ClosestTriangle best;
-  best.at.squaredDistance = squaredBound;
+  Candidate best{ NoIndex, squaredBound };
   if (this->isEmpty())
   {
-    return best;
+    return {};
   }
   if (guess != NoIndex)
   {
-    const TrianglePoint at = closestPointOnTriangle(point, this->triangle(guess));
-    best = at.squaredDistance <= squaredBound ? ClosestTriangle{ guess, at } : best;
+    const Candidate candidate{ guess, this->squaredDistance(guess, point) };
+    best = isCloser(candidate, best) ? candidate : best;
   }
   TraversalStack<Pending> stack;
-  stack.push({ 0, this->Nodes.front().box.squaredExteriorDistance(point) });
+  stack.push({ 0, squaredGap(this->Nodes.front().box, point) });
   while (!stack.isEmpty())
   {
     const Pending pending = stack.pop();
-    if (pending.squaredDistance > best.at.squaredDistance)
+    if (pending.squaredDistance > best.squaredDistance)
     {
       continue;
     }
@@ -135,18 +156,20 @@ ClosestTriangle AABBTree::closest(const Vec3& point, double squaredBound, Index 
       this->visitLeaf(node, point, best);
       continue;
     }
-    const auto pendingChild = [&](Index child)
-    {
-      const Box& box = this->Nodes[static_cast<std::size_t>(child)].box;
-      return Pending{ child, box.squaredExteriorDistance(point) };
+    const auto child = [&](Index number) -> Pending {
+      return { number, squaredGap(this->Nodes[static_cast<std::size_t>(number)].box, point) };
     };
-    const Pending left = pendingChild(node.left);
-    const Pending right = pendingChild(node.right);
+    const Pending left = child(node.left);
+    const Pending right = child(node.right);
     const bool leftFirst = left.squaredDistance <= right.squaredDistance;
     stack.push(leftFirst ? right : left);
     stack.push(leftFirst ? left : right);
   }
-  return best;
+  if (best.triangle == NoIndex)
+  {
+    return {};
+  }
+  return { best.triangle, closestPointOnTriangle(point, this->triangle(best.triangle)) };
 }
 
 bool AABBTree::meets(const Box& box) const

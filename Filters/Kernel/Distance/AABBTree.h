@@ -10,6 +10,8 @@
 #ifndef EVOLVING_AABB_TREE_H
 #define EVOLVING_AABB_TREE_H
 
+#include "Distance/MeasuredTriangle.h"
+#include "Distance/Ray.h"
 #include "Distance/TriangleGeometry.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
@@ -79,8 +81,9 @@ public:
   const std::vector<Index>& leafTriangles() const { return this->LeafTriangles; }
 
   /**
-   * The triangle closest to a point; of several at the same distance the one with the smallest
-   * number, so that the answer does not depend on the bound or the guess.
+   * The triangle closest to a point, by MeasuredTriangle::squaredDistance(); of several at the
+   * same distance the one with the smallest number, so that the answer does not depend on the
+   * bound or the guess.
    * @param squaredBound triangles farther than its root are not found
    * @param guess a triangle that may be close, for speed; or NoIndex
    */
@@ -98,12 +101,25 @@ public:
 private:
   friend class AABBTreeBuilder;
 
-  void visitLeaf(const Node& leaf, const Vec3& point, ClosestTriangle& best) const;
+  /// A triangle and its squared distance.
+  struct Candidate
+  {
+    Index triangle;
+    double squaredDistance;
+  };
+
+  void visitLeaf(const Node& leaf, const Vec3& point, Candidate& best) const;
+  double squaredDistance(Index triangle, const Vec3& point) const
+  {
+    return this->Measured[static_cast<std::size_t>(triangle)].squaredDistance(point);
+  }
 
   std::vector<Triangle> Triangles;
+  std::vector<MeasuredTriangle<double>> Measured;
   std::vector<Node> Nodes;
   std::vector<std::int8_t> Levels;
   std::vector<Index> LeafTriangles;
+  std::vector<Eigen::AlignedBox3f> LeafBoxes; ///< around the part of each in its leaf
 };
 
 } // namespace evolving

@@ -28,6 +28,15 @@ Eigen::AlignedBox3f roundedOutwards(const Box& box)
   return rounded;
 }
 
+/// Intersects a box with one inflated by a margin, unless nothing would remain.
+void shrink(Eigen::AlignedBox3f& box, const Box& other, double margin)
+{
+  const Vec3 size = Vec3::Constant(margin);
+  const Eigen::AlignedBox3f common =
+    box.intersection(roundedOutwards(Box(Vec3(other.min() - size), Vec3(other.max() + size))));
+  box = common.isEmpty() ? box : common;
+}
+
 } // namespace
 
 void AABBTreeBuilder::build(AABBTree& tree, const Execution& execution)
@@ -116,20 +125,57 @@ bool AABBTreeBuilder::split(
   {
     const float from = reference.box.min()[axis];
     const float to = reference.box.max()[axis];
-    if (from < position || to <= position)
+    const bool isLeft = from < position || to <= position;
+    const bool isRight = to > position;
+    if (isLeft)
     {
       left.push_back(reference);
-      left.back().box.max()[axis] = std::min(to, position);
     }
-    if (to > position)
+    if (isRight)
     {
       right.push_back(reference);
-      right.back().box.min()[axis] = std::max(from, position);
+    }
+    if (isLeft && isRight)
+    {
+      this->clip(left.back(), right.back(), axis, position);
     }
   }
   const auto before = static_cast<double>(references.size());
   return static_cast<double>(left.size() + right.size()) < AABBTree::LargestGrowth * before &&
     left.size() < references.size() && right.size() < references.size();
+}
+
+void AABBTreeBuilder::clip(Reference& left, Reference& right, int axis, float position) const
+{
+  const Triangle& triangle = this->Tree.triangle(left.triangle);
+  const auto plane = static_cast<double>(position);
+  Box below;
+  Box above;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Vec3& from = triangle.corners[k];
+    const Vec3& to = triangle.corners[(k + 1) % 3];
+    // A corner in the plane belongs to both parts.
+    if (from[axis] <= plane)
+    {
+      below.extend(from);
+    }
+    if (from[axis] >= plane)
+    {
+      above.extend(from);
+    }
+    if ((from[axis] < plane && to[axis] > plane) || (from[axis] > plane && to[axis] < plane))
+    {
+      const double t = (plane - from[axis]) / (to[axis] - from[axis]);
+      const Vec3 crossing = from + t * (to - from);
+      below.extend(crossing);
+      above.extend(crossing);
+    }
+  }
+  left.box.max()[axis] = position;
+  right.box.min()[axis] = position;
+  shrink(left.box, below, this->Epsilon);
+  shrink(right.box, above, this->Epsilon);
 }
 
 void AABBTreeBuilder::fillLeaf(Index node, const References& references)
@@ -141,6 +187,7 @@ void AABBTreeBuilder::fillLeaf(Index node, const References& references)
     if (overlaps(this->Tree.triangle(reference.triangle), leaf.box))
     {
       this->Tree.LeafTriangles.push_back(reference.triangle);
+      this->Tree.LeafBoxes.push_back(roundedOutwards(this->inflated(reference.box)));
     }
   }
   leaf.triangleCount = static_cast<Index>(this->Tree.LeafTriangles.size()) - leaf.firstTriangle;

@@ -42,6 +42,8 @@ private:
   /// Divides the references at the best split; false when that does not pay.
   bool split(
     const References& references, const FloatBox& box, References& left, References& right);
+  /// Shrinks the halves of a reference to its triangle's parts on the two sides of a plane.
+  void clip(Reference& left, Reference& right, int axis, float position) const;
   void fillLeaf(Index node, const References& references);
   Box inflated(const FloatBox& box) const;
   void reportProgress(std::size_t finishedReferences);

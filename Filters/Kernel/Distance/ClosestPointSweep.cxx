@@ -4,13 +4,12 @@
 #include "Distance/ClosestPointSweep.h"
 
 #include "Distance/ClosestTriangles.h"
-#include "Distance/MeasuredTriangle.h"
+#include "Distance/NearestField.h"
 #include "Distance/RowSweep.h"
-#include "Distance/SurfaceBand.h"
 #include "Distance/TriangleNeighbours.h"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace evolving
 {
@@ -18,250 +17,266 @@ namespace evolving
 namespace
 {
 
-/// How far from the surface samples are exact from the start, in cells.
-constexpr double BandReach = 1.0;
-
-class ClosestPointSweep
+/// Calls visit(j, k) for all rows of a field, in parallel.
+template <typename Scalar, typename Visit>
+void forEachRow(const NearestField<Scalar>& field, const Execution& execution, const Visit& visit)
 {
-public:
-  ClosestPointSweep(const AABBTree& tree, const DistanceGrid& grid)
-    : Cell(grid.spacing.maxCoeff())
-    , NearestOf(static_cast<std::size_t>(grid.sampleCount()))
-  {
-    this->Grid.dimensions = { grid.dimension(0), grid.dimension(1), grid.dimension(2) };
-    this->Grid.spacing = grid.spacing / this->Cell;
-    this->Center = grid.point(grid.extent[0], grid.extent[2], grid.extent[4]);
-    this->Triangles.reserve(tree.triangles().size());
-    this->Boxes.reserve(tree.triangles().size());
-    for (const Triangle& triangle : tree.triangles())
+  const int rows = field.rows();
+  constexpr std::int64_t RowGrain = 16;
+  execution.forRangeReporting(std::int64_t(rows) * field.slices(), RowGrain,
+    [&](std::int64_t begin, std::int64_t end)
     {
-      Triangle scaled = triangle;
-      for (Vec3& corner : scaled.corners)
+      for (std::int64_t row = begin; row < end; ++row)
       {
-        corner = (corner - this->Center) / this->Cell;
+        visit(static_cast<int>(row % rows), static_cast<int>(row / rows));
       }
-      this->Triangles.emplace_back(scaled);
-      this->Boxes.push_back(scaled.box());
-    }
-  }
+    });
+}
 
-  void drawBand(const Execution& execution)
-  {
-    drawSurfaceBand(
-      this->Triangles, this->Boxes, this->Grid, BandReach, this->NearestOf, execution);
-  }
-
-  /// Gives samples the triangles known for them.
-  void seed(const std::vector<Index>& triangles)
-  {
-    for (std::size_t s = 0; s < triangles.size(); ++s)
+/// Gives samples the triangles known for them.
+template <typename Scalar>
+void seed(NearestField<Scalar>& field, const std::vector<Index>& known, const Execution& execution)
+{
+  forEachRow(field, execution,
+    [&](int j, int k)
     {
-      if (triangles[s] != NoIndex)
+      for (int i = 0; i < field.width(); ++i)
       {
-        const auto sample = static_cast<GridIndex>(s);
-        const auto width = this->Grid.dimensions[0];
-        const auto row = sample / width;
-        this->tryTriangle(this->NearestOf[s], triangles[s],
-          this->Grid.point(static_cast<int>(sample % width),
-            static_cast<int>(row % this->Grid.dimensions[1]),
-            static_cast<int>(row / this->Grid.dimensions[1])));
-      }
-    }
-  }
-
-  void propagate(const Execution& execution)
-  {
-    constexpr std::array<SweepDirection, 4> Order{ { { true, true }, { false, true },
-      { false, false }, { true, false } } };
-    for (std::size_t n = 0; n < Order.size(); ++n)
-    {
-      const auto from = static_cast<double>(n) / static_cast<double>(Order.size());
-      const auto to = static_cast<double>(n + 1) / static_cast<double>(Order.size());
-      visitRowsInOrder(this->Grid.dimensions[1], this->Grid.dimensions[2], Order[n],
-        execution.phase(from, to), [&](int j, int k) { this->visitRow(j, k, Order[n]); });
-    }
-  }
-
-  /// Every sample walks over the mesh to a closer triangle, while there is one.
-  void descend(const SurfaceMesh& mesh, const Execution& execution)
-  {
-    const TriangleNeighbours neighbours(mesh);
-    this->forEachRow(execution,
-      [&](int j, int k)
-      {
-        Nearest* row = this->row(j, k);
-        for (int i = 0; i < this->Grid.dimensions[0]; ++i)
+        const Index triangle = known[static_cast<std::size_t>(field.index(i, j, k))];
+        if (triangle != NoIndex)
         {
-          if (!this->isSettled(row[i]))
-          {
-            this->walk(row[i], this->Grid.point(i, j, k), neighbours);
-          }
+          field.tryTriangle(field.row(j, k)[i], triangle, field.point(i, j, k));
         }
-      });
-  }
+      }
+    });
+}
 
-  /// Every sample tries the triangles of the 26 around it, as they were before, so that order is
-  /// no matter.
-  std::vector<Index> refined(const Execution& execution) const
+/// One row of a sweep: triangles of three rows before it, then of the samples beside, both ways.
+template <typename Scalar>
+void propagateAlong(NearestField<Scalar>& field, int j, int k, const SweepDirection& direction)
+{
+  const int beforeJ = direction.yUp ? j - 1 : j + 1;
+  const int beforeK = direction.zUp ? k - 1 : k + 1;
+  const std::array<NeighbourRow, 3> before{ field.neighbourRow(j, k, beforeJ, k),
+    field.neighbourRow(j, k, j, beforeK), field.neighbourRow(j, k, beforeJ, beforeK) };
+  Nearest* row = field.row(j, k);
+  const float step = field.stepAlongRow();
+  for (int i = 0; i < field.width(); ++i)
   {
-    std::vector<Index> result(this->NearestOf.size());
-    this->forEachRow(execution, [&](int j, int k) { this->refineRow(j, k, result); });
-    return result;
-  }
-
-private:
-  /// Takes the triangle if it is closer than the sample's.
-  void tryTriangle(Nearest& sample, Index triangle, const Vec3& point) const
-  {
-    const double squared =
-      this->Triangles[static_cast<std::size_t>(triangle)].squaredDistance(point);
-    const auto distance = static_cast<float>(std::sqrt(squared));
-    if (distance < sample.distance)
+    if (field.isSettled(row[i]))
     {
-      sample = { distance, triangle };
+      continue;
+    }
+    TriedTriangles tried;
+    const auto point = field.point(i, j, k);
+    for (const NeighbourRow& other : before)
+    {
+      if (other.samples)
+      {
+        field.tryNeighbour(row[i], other.samples[i], point, other.step, tried);
+      }
+    }
+    if (i > 0)
+    {
+      field.tryNeighbour(row[i], row[i - 1], point, step, tried);
     }
   }
-
-  /// Takes the neighbour's triangle if it is closer. @param step between the two samples
-  void tryNeighbour(Nearest& sample, const Nearest& neighbour, const Vec3& point, float step) const
+  for (int i = field.width() - 2; i >= 0; --i)
   {
-    const bool hopeless = neighbour.triangle == NoIndex || neighbour.triangle == sample.triangle ||
-      neighbour.distance >= sample.distance + step;
-    if (!hopeless)
+    if (!field.isSettled(row[i]))
     {
-      this->tryTriangle(sample, neighbour.triangle, point);
+      TriedTriangles tried;
+      field.tryNeighbour(row[i], row[i + 1], field.point(i, j, k), step, tried);
     }
   }
+}
 
-  bool isSettled(const Nearest& sample) const { return sample.distance <= float(BandReach); }
-
-  bool hasRow(int j, int k) const
+/// Carries triangles away from the surface, once in each of the four directions of y and z.
+template <typename Scalar>
+void propagate(NearestField<Scalar>& field, const Execution& execution)
+{
+  constexpr std::array<SweepDirection, 4> Order{ { { true, true }, { false, true },
+    { false, false }, { true, false } } };
+  for (std::size_t n = 0; n < Order.size(); ++n)
   {
-    return j >= 0 && j < this->Grid.dimensions[1] && k >= 0 && k < this->Grid.dimensions[2];
+    const auto from = static_cast<double>(n) / static_cast<double>(Order.size());
+    const auto to = static_cast<double>(n + 1) / static_cast<double>(Order.size());
+    visitRowsInOrder(field.rows(), field.slices(), Order[n], execution.phase(from, to),
+      [&](int j, int k) { propagateAlong(field, j, k, Order[n]); });
   }
+}
 
-  void visitRow(int j, int k, const SweepDirection& direction)
+/// Every sample marked walks over the mesh to a closer triangle, while there is one.
+template <typename Scalar>
+void descend(NearestField<Scalar>& field, const TriangleNeighbours& neighbours,
+  const std::vector<char>& marked, const Execution& execution)
+{
+  const auto walk = [&](Nearest& sample, const auto& point)
   {
-    const int width = this->Grid.dimensions[0];
-    const int beforeJ = direction.yUp ? j - 1 : j + 1;
-    const int beforeK = direction.zUp ? k - 1 : k + 1;
-    Nearest* row = this->row(j, k);
-    this->takeFromRow(row, j, k, beforeJ, k, 0);
-    this->takeFromRow(row, j, k, j, beforeK, 0);
-    this->takeFromRow(row, j, k, beforeJ, beforeK, 0);
-    const auto step = static_cast<float>(this->Grid.spacing.x());
-    for (int i = 1; i < width; ++i)
-    {
-      this->takeOver(row[i], row[i - 1], i, j, k, step);
-    }
-    for (int i = width - 2; i >= 0; --i)
-    {
-      this->takeOver(row[i], row[i + 1], i, j, k, step);
-    }
-  }
-
-  void takeOver(Nearest& sample, const Nearest& neighbour, int i, int j, int k, float step) const
-  {
-    if (!this->isSettled(sample))
-    {
-      this->tryNeighbour(sample, neighbour, this->Grid.point(i, j, k), step);
-    }
-  }
-
-  /// @param shift along x from a sample to the one it takes from
-  void takeFromRow(Nearest* row, int j, int k, int otherJ, int otherK, int shift) const
-  {
-    if (!this->hasRow(otherJ, otherK))
-    {
-      return;
-    }
-    const Nearest* other = this->row(otherJ, otherK);
-    const auto step = static_cast<float>(
-      (this->Grid.point(0, j, k) - this->Grid.point(shift, otherJ, otherK)).norm());
-    const int end = this->Grid.dimensions[0] - std::max(shift, 0);
-    for (int i = std::max(-shift, 0); i < end; ++i)
-    {
-      this->takeOver(row[i], other[i + shift], i, j, k, step);
-    }
-  }
-
-  void walk(Nearest& sample, const Vec3& point, const TriangleNeighbours& neighbours) const
-  {
-    Index from = NoIndex;
-    while (sample.triangle != from)
+    for (Index from = NoIndex; sample.triangle != from;)
     {
       from = sample.triangle;
       for (const Index* next = neighbours.begin(from); next != neighbours.end(from); ++next)
       {
-        this->tryTriangle(sample, *next, point);
+        field.tryTriangle(sample, *next, point);
+      }
+    }
+  };
+  forEachRow(field, execution,
+    [&](int j, int k)
+    {
+      for (int i = 0; i < field.width(); ++i)
+      {
+        Nearest& sample = field.row(j, k)[i];
+        if (marked[static_cast<std::size_t>(field.index(i, j, k))] && !field.isSettled(sample))
+        {
+          walk(sample, field.point(i, j, k));
+        }
+      }
+    });
+}
+
+/// The nine rows around a row, itself included.
+template <typename Scalar>
+std::array<NeighbourRow, 9> rowsAround(const NearestField<Scalar>& field, int j, int k)
+{
+  std::array<NeighbourRow, 9> rows;
+  for (int n = 0; n < 9; ++n)
+  {
+    rows[static_cast<std::size_t>(n)] = field.neighbourRow(j, k, j + n % 3 - 1, k + n / 3 - 1);
+  }
+  return rows;
+}
+
+/// The sample after it has tried the triangles of those of the 26 around it that are marked.
+template <typename Scalar>
+Nearest refinedSample(const NearestField<Scalar>& field, int i, int j, int k,
+  const std::array<NeighbourRow, 9>& rows, const std::vector<char>& marked)
+{
+  Nearest sample = field.row(j, k)[i];
+  if (field.isSettled(sample))
+  {
+    return sample;
+  }
+  const auto point = field.point(i, j, k);
+  const int first = std::max(i - 1, 0);
+  const int last = std::min(i + 1, field.width() - 1);
+  TriedTriangles tried;
+  for (const NeighbourRow& row : rows)
+  {
+    for (int other = first; row.samples && other <= last; ++other)
+    {
+      if (marked[static_cast<std::size_t>(row.samples - field.row(0, 0) + other)])
+      {
+        const float step = other == i ? row.step : row.step + field.stepAlongRow();
+        field.tryNeighbour(sample, row.samples[other], point, step, tried);
       }
     }
   }
+  return sample;
+}
 
-  void refineRow(int j, int k, std::vector<Index>& result) const
-  {
-    const int width = this->Grid.dimensions[0];
-    std::vector<Nearest> row(this->row(j, k), this->row(j, k) + width);
-    for (int otherK = k - 1; otherK <= k + 1; ++otherK)
+/// What every sample has after trying its neighbours', as they are now, so that order is no
+/// matter.
+template <typename Scalar>
+std::vector<Index> refined(
+  const NearestField<Scalar>& field, const std::vector<char>& marked, const Execution& execution)
+{
+  std::vector<Index> result(marked.size());
+  forEachRow(field, execution,
+    [&](int j, int k)
     {
-      for (int otherJ = j - 1; otherJ <= j + 1; ++otherJ)
+      const std::array<NeighbourRow, 9> rows = rowsAround(field, j, k);
+      for (int i = 0; i < field.width(); ++i)
       {
-        for (int shift = -1; shift <= 1; ++shift)
+        result[static_cast<std::size_t>(field.index(i, j, k))] =
+          refinedSample(field, i, j, k, rows, marked).triangle;
+      }
+    });
+  return result;
+}
+
+/// Gives the samples their new triangles, and marks those for which one is new.
+template <typename Scalar>
+std::vector<char> adopt(
+  NearestField<Scalar>& field, const std::vector<Index>& triangles, const Execution& execution)
+{
+  std::vector<char> changed(triangles.size(), 0);
+  forEachRow(field, execution,
+    [&](int j, int k)
+    {
+      for (int i = 0; i < field.width(); ++i)
+      {
+        const auto s = static_cast<std::size_t>(field.index(i, j, k));
+        Nearest& sample = field.row(j, k)[i];
+        changed[s] = sample.triangle != triangles[s];
+        if (changed[s])
         {
-          this->takeFromRow(row.data(), j, k, otherJ, otherK, shift);
+          field.tryTriangle(sample, triangles[s], field.point(i, j, k));
         }
       }
-    }
-    for (int i = 0; i < width; ++i)
-    {
-      result[static_cast<std::size_t>(this->Grid.index(i, j, k))] =
-        row[static_cast<std::size_t>(i)].triangle;
-    }
-  }
+    });
+  return changed;
+}
 
-  template <typename Visit>
-  void forEachRow(const Execution& execution, const Visit& visit) const
+/// Descends and refines, then again around the samples for which that changed something.
+template <typename Scalar>
+std::vector<Index> improve(
+  NearestField<Scalar>& field, const TriangleNeighbours& neighbours, const Execution& execution)
+{
+  const auto count =
+    static_cast<std::size_t>(GridIndex(field.width()) * field.rows() * field.slices());
+  std::vector<char> changed(count, 1);
+  std::vector<Index> triangles;
+  constexpr std::array<double, 4> Ends{ 0.0, 0.8, 0.9, 1.0 }; // the first round is the long one
+  for (std::size_t round = 0; round + 1 < Ends.size(); ++round)
   {
-    const int rows = this->Grid.dimensions[1];
-    constexpr std::int64_t RowGrain = 16;
-    execution.forRangeReporting(std::int64_t(rows) * this->Grid.dimensions[2], RowGrain,
-      [&](std::int64_t begin, std::int64_t end)
-      {
-        for (std::int64_t row = begin; row < end; ++row)
-        {
-          visit(static_cast<int>(row % rows), static_cast<int>(row / rows));
-        }
-      });
+    const Execution phase = execution.phase(Ends[round], Ends[round + 1]);
+    descend(field, neighbours, changed, phase.phase(0.0, 0.45));
+    triangles = refined(field, changed, phase.phase(0.45, 0.95));
+    changed = adopt(field, triangles, phase.phase(0.95, 1.0));
   }
+  return triangles;
+}
 
-  Nearest* row(int j, int k) { return this->NearestOf.data() + this->Grid.index(0, j, k); }
-  const Nearest* row(int j, int k) const
+template <typename Scalar>
+std::vector<Index> sweepAs(const SurfaceMesh& mesh, const AABBTree& tree, const DistanceGrid& grid,
+  const Execution& execution)
+{
+  NearestField<Scalar> field(tree, grid);
+  field.drawBand(execution.phase(0.0, 0.2));
+  if (!containsAll(grid, tree))
   {
-    return this->NearestOf.data() + this->Grid.index(0, j, k);
+    const Execution seeding = execution.phase(0.2, 0.35);
+    const std::vector<Index> boundary = queryBoundaryTriangles(tree, grid, seeding.phase(0.0, 0.9));
+    seed(field, boundary, seeding.phase(0.9, 1.0));
   }
+  propagate(field, execution.phase(0.35, 0.55));
+  const TriangleNeighbours neighbours(mesh, tree, execution.phase(0.55, 0.6));
+  return improve(field, neighbours, execution.phase(0.6, 1.0));
+}
 
-  double Cell;
-  Vec3 Center = Vec3::Zero();
-  UnitGrid Grid;
-  std::vector<MeasuredTriangle> Triangles;
-  std::vector<Box> Boxes;
-  std::vector<Nearest> NearestOf;
-};
+/// The largest coordinate, in cells, of the mesh and the grid seen from the grid's middle.
+double largestCoordinate(const AABBTree& tree, const DistanceGrid& grid)
+{
+  const Extent& e = grid.extent;
+  Box box(grid.point(e[0], e[2], e[4]));
+  box.extend(grid.point(e[1], e[3], e[5]));
+  const Vec3 middle = box.center();
+  box.extend(tree.nodes().front().box);
+  const Vec3 reach = (box.max() - middle).cwiseMax(middle - box.min());
+  return reach.maxCoeff() / grid.spacing.maxCoeff();
+}
 
 } // namespace
 
 std::vector<Index> sweepClosestTriangles(const SurfaceMesh& mesh, const AABBTree& tree,
   const DistanceGrid& grid, const Execution& execution)
 {
-  ClosestPointSweep sweep(tree, grid);
-  sweep.drawBand(execution.phase(0.0, 0.2));
-  if (!containsAll(grid, tree))
-  {
-    sweep.seed(queryBoundaryTriangles(tree, grid, execution.phase(0.2, 0.4)));
-  }
-  sweep.propagate(execution.phase(0.4, 0.7));
-  sweep.descend(mesh, execution.phase(0.7, 0.85));
-  return sweep.refined(execution.phase(0.85, 1.0));
+  constexpr double GoodForFloats = 4096.0; // they round to less than a thousandth of a cell
+  return largestCoordinate(tree, grid) < GoodForFloats
+    ? sweepAs<float>(mesh, tree, grid, execution)
+    : sweepAs<double>(mesh, tree, grid, execution);
 }
 
 } // namespace evolving

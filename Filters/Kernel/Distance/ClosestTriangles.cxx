@@ -99,6 +99,20 @@ std::vector<Index> queryBoundaryTriangles(
   return triangles;
 }
 
+std::vector<float> closestPoints(const AABBTree& tree, const DistanceGrid& grid,
+  const std::vector<Index>& triangles, const Vec3& offset, const Execution& execution)
+{
+  std::vector<float> points(3 * triangles.size());
+  forEachSample(grid, execution,
+    [&](GridIndex sample, const Vec3& point)
+    {
+      const Triangle& triangle = tree.triangle(triangles[static_cast<std::size_t>(sample)]);
+      const Vec3 closest = closestPointOnTriangle(point, triangle).point + offset;
+      Eigen::Map<Eigen::Vector3f>(points.data() + 3 * sample) = closest.cast<float>();
+    });
+  return points;
+}
+
 bool containsAll(const DistanceGrid& grid, const AABBTree& tree)
 {
   const Extent& e = grid.extent;

@@ -44,6 +44,15 @@ std::vector<Index> queryClosestTriangles(
 std::vector<Index> queryBoundaryTriangles(
   const AABBTree& tree, const DistanceGrid& grid, const Execution& execution = {});
 
+/**
+ * The points of given triangles closest to the samples, moved by an offset.
+ * @param triangles one per sample
+ * @return three numbers per sample
+ * @throws Cancelled
+ */
+std::vector<float> closestPoints(const AABBTree& tree, const DistanceGrid& grid,
+  const std::vector<Index>& triangles, const Vec3& offset, const Execution& execution = {});
+
 /// Does the box of the samples contain the tree's triangles?
 bool containsAll(const DistanceGrid& grid, const AABBTree& tree);
 

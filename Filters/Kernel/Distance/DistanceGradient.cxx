@@ -3,6 +3,9 @@
 
 #include "Distance/DistanceGradient.h"
 
+#include "Distance/ClosestTriangles.h"
+#include "Distance/Pseudonormals.h"
+
 #include <algorithm>
 
 namespace evolving
@@ -39,6 +42,30 @@ std::vector<float> normalizedDifferences(
             static_cast<float>(slope[axis] / length);
         }
       }
+    });
+  return gradient;
+}
+
+std::vector<float> awayFromClosest(const AABBTree& tree, const DistanceGrid& grid,
+  const std::vector<Index>& triangles, const std::vector<char>& inside, const SurfaceMesh* surface,
+  const Execution& execution)
+{
+  std::vector<float> gradient(3 * triangles.size());
+  const Pseudonormals normals(surface ? *surface : SurfaceMesh());
+  const double tooClose = 1e-6 * grid.spacing.minCoeff();
+  forEachSample(grid, execution,
+    [&](GridIndex sample, const Vec3& point)
+    {
+      const auto s = static_cast<std::size_t>(sample);
+      const TrianglePoint closest = closestPointOnTriangle(point, tree.triangle(triangles[s]));
+      Vec3 direction = inside[s] ? Vec3(closest.point - point) : Vec3(point - closest.point);
+      if (direction.norm() <= tooClose)
+      {
+        direction = surface ? normals.at(triangles[s], closest.feature) : Vec3(Vec3::Zero());
+      }
+      const double length = direction.norm();
+      direction = length > 0.0 ? Vec3(direction / length) : direction;
+      Eigen::Map<Eigen::Vector3f>(gradient.data() + 3 * sample) = direction.cast<float>();
     });
   return gradient;
 }

@@ -9,8 +9,10 @@
 #ifndef EVOLVING_DISTANCE_GRADIENT_H
 #define EVOLVING_DISTANCE_GRADIENT_H
 
+#include "Distance/AABBTree.h"
 #include "Distance/DistanceGrid.h"
 #include "Execution.h"
+#include "Mesh/SurfaceMesh.h"
 
 #include <vector>
 
@@ -26,6 +28,20 @@ namespace evolving
  */
 std::vector<float> normalizedDifferences(
   const DistanceGrid& grid, const std::vector<float>& values, const Execution& execution = {});
+
+/**
+ * Unit vectors away from the closest points, turned round inside. On the surface, where there is
+ * no such direction, its pseudonormal.
+ * @param triangles the closest one of each sample
+ * @param inside not 0 for samples inside
+ * @param surface the mesh of the tree, for the pseudonormal; null for an unsigned distance,
+ * whose gradient on the surface is zero
+ * @return three per sample
+ * @throws Cancelled
+ */
+std::vector<float> awayFromClosest(const AABBTree& tree, const DistanceGrid& grid,
+  const std::vector<Index>& triangles, const std::vector<char>& inside, const SurfaceMesh* surface,
+  const Execution& execution = {});
 
 } // namespace evolving
 

@@ -68,6 +68,7 @@ public:
   Vec3 center(const Cell& cell) const { return this->box(cell).center(); }
 
 private:
+  Box closure(const Cell& cell) const;
   void setRoot(const AABBTree& tree);
   bool hasSample(const Cell& cell) const;
   std::vector<Cell> openChildren(

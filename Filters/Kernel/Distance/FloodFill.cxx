@@ -3,6 +3,7 @@
 
 #include "Distance/FloodFill.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -48,6 +49,32 @@ public:
     }
   }
 
+  /// Are there samples of this side, and none of the other, among the 26 around a sample?
+  bool isSurroundedBy(Side side, GridIndex sample) const
+  {
+    const std::array<GridIndex, 3> place = this->place(sample);
+    std::array<GridIndex, 3> first;
+    std::array<GridIndex, 3> last;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      first[axis] = std::max<GridIndex>(place[axis] - 1, 0);
+      last[axis] = std::min(place[axis] + 1, this->Dimensions[axis] - 1);
+    }
+    std::array<int, 3> count{ 0, 0, 0 };
+    for (GridIndex k = first[2]; k <= last[2]; ++k)
+    {
+      for (GridIndex j = first[1]; j <= last[1]; ++j)
+      {
+        for (GridIndex i = first[0]; i <= last[0]; ++i)
+        {
+          const GridIndex other = (k * this->Dimensions[1] + j) * this->Dimensions[0] + i;
+          ++count[static_cast<std::size_t>(this->side(other))];
+        }
+      }
+    }
+    return count[side] > 0 && count[1 - side] == 0;
+  }
+
   bool isOnBoundary(GridIndex sample) const
   {
     const std::array<GridIndex, 3> place = this->place(sample);
@@ -61,7 +88,16 @@ public:
     return false;
   }
 
-  std::vector<char> takeSides() { return std::move(this->SideOf); }
+  /// The sides; samples still unknown are inside when they are in the list.
+  std::vector<char> takeSides(const std::vector<GridIndex>& inside)
+  {
+    for (const GridIndex sample : inside)
+    {
+      this->set(sample, Inside);
+    }
+    std::replace(this->SideOf.begin(), this->SideOf.end(), char(Unknown), char(Outside));
+    return std::move(this->SideOf);
+  }
 
 private:
   std::array<GridIndex, 3> place(GridIndex sample) const
@@ -144,14 +180,16 @@ std::vector<char> floodFill(const DistanceGrid& grid, const std::vector<float>& 
       flood.fillFrom(sample, Inside);
     }
   }
+  std::vector<GridIndex> insideToo;
   for (GridIndex sample = 0; sample < count; ++sample)
   {
-    if (!flood.isKnown(sample))
+    if (!flood.isKnown(sample) &&
+      (flood.isSurroundedBy(Inside, sample) || queries.isBehindSurface(sample)))
     {
-      flood.set(sample, queries.isBehindSurface(sample) ? Inside : Outside);
+      insideToo.push_back(sample);
     }
   }
-  return flood.takeSides();
+  return flood.takeSides(insideToo);
 }
 
 } // namespace evolving

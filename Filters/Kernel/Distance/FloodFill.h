@@ -35,7 +35,9 @@ struct FloodFillQueries
  * Two neighbouring samples lie on the same side when their distances to the surface sum up to
  * more than their spacing, for a crossing between them could be no farther from both. The flood
  * runs through such pairs: first from the samples on the six faces of the grid, then, as
- * inside, from what is left away from the surface; what remains is beside the surface.
+ * inside, from what is left away from the surface. What remains is so close to the surface that
+ * its distances say nothing: inside when only samples inside are around it, or when it is behind
+ * the surface.
  * The thesis floods from one corner through samples whose cells the surface does not meet, a
  * special case of this.
  *

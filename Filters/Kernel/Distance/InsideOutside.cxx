@@ -150,7 +150,7 @@ Vec3 samplePoint(const DistanceGrid& grid, GridIndex sample)
 }
 
 std::vector<char> insideByFloodFill(const DistanceTarget& target, const AABBTree& tree,
-  const DistanceGrid& grid, const UnsignedSamples& samples, const Execution& execution)
+  const DistanceGrid& grid, const UnsignedDistance& samples, const Execution& execution)
 {
   const Pseudonormals normals(target.mesh);
   const auto cellRadius = static_cast<float>(0.5 * grid.spacing.norm());
@@ -196,7 +196,7 @@ SignChoice chooseSignMethod(SignMethod asked, const DistanceTarget& target)
 }
 
 std::vector<char> samplesInside(SignMethod method, const DistanceTarget& target,
-  const AABBTree& tree, const DistanceGrid& grid, const UnsignedSamples& samples,
+  const AABBTree& tree, const DistanceGrid& grid, const UnsignedDistance& samples,
   const Execution& execution)
 {
   switch (method)

@@ -13,6 +13,7 @@
 #include "Distance/DistanceGrid.h"
 #include "Distance/DistanceTarget.h"
 #include "Distance/SignedDistance.h"
+#include "Distance/UnsignedDistance.h"
 #include "Execution.h"
 
 #include <string>
@@ -36,13 +37,6 @@ struct SignChoice
  */
 SignChoice chooseSignMethod(SignMethod asked, const DistanceTarget& target);
 
-/// What is known of the samples before they are given a sign.
-struct UnsignedSamples
-{
-  std::vector<Index> triangle;  ///< closest to each sample; NoIndex where not known
-  std::vector<float> clearance; ///< a lower bound for each sample's distance to the surface
-};
-
 /**
  * @param method not Automatic
  * @param samples every triangle known for Pseudonormal, those beside the surface for FloodFill,
@@ -51,7 +45,7 @@ struct UnsignedSamples
  * @throws Cancelled
  */
 std::vector<char> samplesInside(SignMethod method, const DistanceTarget& target,
-  const AABBTree& tree, const DistanceGrid& grid, const UnsignedSamples& samples,
+  const AABBTree& tree, const DistanceGrid& grid, const UnsignedDistance& samples,
   const Execution& execution = {});
 
 } // namespace evolving

@@ -35,22 +35,26 @@ SampleRange samplesBetween(const UnitGrid& grid, int axis, double low, double hi
 }
 
 /// The part of a row that is at most `reach` away from the triangle's plane.
-SampleRange nearPlane(const MeasuredTriangle& triangle, const UnitGrid& grid, double reach, int j,
-  int k, const SampleRange& row)
+template <typename Scalar>
+SampleRange nearPlane(const MeasuredTriangle<Scalar>& triangle, const UnitGrid& grid, double reach,
+  int j, int k, const SampleRange& row)
 {
-  const Vec3& normal = triangle.unitNormal();
-  const double height = normal.dot(grid.point(0, j, k) - triangle.corner());
+  const Vec3 normal = triangle.unitNormal().template cast<double>();
+  const Vec3 corner = triangle.corner().template cast<double>();
+  const double height = normal.dot(grid.point(0, j, k) - corner);
   const double rise = normal.x() * grid.spacing.x();
-  constexpr double Parallel = 1e-9;
+  constexpr double Rounding = 1e-3; // of a cell; drawing a little more does no harm
+  const double thickness = reach + Rounding;
+  constexpr double Parallel = 1e-6;
   if (std::abs(rise) < Parallel)
   {
-    return std::abs(height) <= reach * (1.0 + 1e-6) ? row : SampleRange{};
+    const double change = Parallel * grid.dimensions[0];
+    return std::abs(height) <= thickness + change ? row : SampleRange{};
   }
-  const double a = (-reach - height) / rise;
-  const double b = (reach - height) / rise;
-  constexpr double Slack = 1e-6; // of a cell, for rounding
-  const double from = std::ceil(std::min(a, b) - Slack);
-  const double to = std::floor(std::max(a, b) + Slack);
+  const double a = (-thickness - height) / rise;
+  const double b = (thickness - height) / rise;
+  const double from = std::ceil(std::min(a, b));
+  const double to = std::floor(std::max(a, b));
   return { static_cast<int>(std::max<double>(from, row.first)),
     static_cast<int>(std::min<double>(to, row.last)) };
 }
@@ -102,8 +106,9 @@ private:
 };
 
 /// Draws one triangle into the slices [first, last].
-void draw(Index number, const MeasuredTriangle& triangle, const Box& box, const UnitGrid& grid,
-  double reach, const SampleRange& slices, std::vector<Nearest>& nearest)
+template <typename Scalar>
+void draw(Index number, const MeasuredTriangle<Scalar>& triangle, const Box& box,
+  const UnitGrid& grid, double reach, const SampleRange& slices, std::vector<Nearest>& nearest)
 {
   const auto between = [&](int axis)
   { return samplesBetween(grid, axis, box.min()[axis] - reach, box.max()[axis] + reach); };
@@ -117,8 +122,8 @@ void draw(Index number, const MeasuredTriangle& triangle, const Box& box, const 
       const SampleRange row = nearPlane(triangle, grid, reach, j, k, columns);
       for (int i = row.first; i <= row.last; ++i)
       {
-        const double squared = triangle.squaredDistance(grid.point(i, j, k));
-        const auto distance = static_cast<float>(std::sqrt(squared));
+        const auto point = grid.point(i, j, k).template cast<Scalar>().eval();
+        const auto distance = static_cast<float>(std::sqrt(triangle.squaredDistance(point)));
         Nearest& sample = nearest[static_cast<std::size_t>(grid.index(i, j, k))];
         if (distance < sample.distance)
         {
@@ -131,7 +136,8 @@ void draw(Index number, const MeasuredTriangle& triangle, const Box& box, const 
 
 } // namespace
 
-void drawSurfaceBand(const std::vector<MeasuredTriangle>& triangles,
+template <typename Scalar>
+void drawSurfaceBand(const std::vector<MeasuredTriangle<Scalar>>& triangles,
   const std::vector<Box>& triangleBoxes, const UnitGrid& grid, double reach,
   std::vector<Nearest>& nearest, const Execution& execution)
 {
@@ -151,5 +157,10 @@ void drawSurfaceBand(const std::vector<MeasuredTriangle>& triangles,
       }
     });
 }
+
+template void drawSurfaceBand(const std::vector<MeasuredTriangle<float>>&, const std::vector<Box>&,
+  const UnitGrid&, double, std::vector<Nearest>&, const Execution&);
+template void drawSurfaceBand(const std::vector<MeasuredTriangle<double>>&, const std::vector<Box>&,
+  const UnitGrid&, double, std::vector<Nearest>&, const Execution&);
 
 } // namespace evolving

@@ -48,11 +48,12 @@ struct Nearest
  * Gives every sample its closest triangle among those whose box, grown by `reach`, and whose
  * plane, thickened by it, contain the sample. All samples at most `reach` away from the surface
  * have the right one then; others may have any.
- * @param triangles in the grid's unit
+ * @param triangles in the grid's unit, in float or double
  * @param[in,out] nearest one per sample
  * @throws Cancelled
  */
-void drawSurfaceBand(const std::vector<MeasuredTriangle>& triangles,
+template <typename Scalar>
+void drawSurfaceBand(const std::vector<MeasuredTriangle<Scalar>>& triangles,
   const std::vector<Box>& triangleBoxes, const UnitGrid& grid, double reach,
   std::vector<Nearest>& nearest, const Execution& execution = {});
 

@@ -3,7 +3,7 @@
 
 /**
  * @file
- * One triangle against a point, a box and a ray. Every function also accepts a triangle that is
+ * One triangle against a point and a box. Every function also accepts a triangle that is
  * a segment or a point.
  */
 
@@ -13,7 +13,6 @@
 #include "Types.h"
 
 #include <array>
-#include <optional>
 
 namespace evolving
 {
@@ -62,29 +61,6 @@ TrianglePoint closestPointOnTriangle(const Vec3& point, const Triangle& triangle
  * (Akenine-Moeller, Fast 3D Triangle-Box Overlap Testing, 2001).
  */
 bool overlaps(const Triangle& triangle, const Box& box);
-
-/**
- * A ray prepared for many triangles (Woop, Benthin, Wald, Watertight Ray/Triangle Intersection,
- * 2013). A ray through an edge shared by two triangles hits exactly one of them if it passes
- * from one to the other, so that the parity of the hits is that of the crossings.
- */
-class Ray
-{
-public:
-  /// @param direction not zero; its length is the unit of the ray's parameter
-  Ray(const Vec3& origin, const Vec3& direction);
-
-  /// The parameter, >= 0, at which the ray crosses the triangle; none when it does not.
-  std::optional<double> hit(const Triangle& triangle) const;
-  /// Does the ray meet a closed box?
-  bool meets(const Box& box) const;
-
-private:
-  Vec3 Origin;
-  Vec3 Direction;
-  std::array<int, 3> Axes; ///< the last one is the direction's longest
-  Vec3 Shear;
-};
 
 } // namespace evolving
 

@@ -15,16 +15,6 @@ namespace evolving
 namespace
 {
 
-double dot(double x, double y)
-{
-  return x * y;
-}
-
-double dot(const Vec3& x, const Vec3& y)
-{
-  return x.dot(y);
-}
-
 /// The preconditioner "diagonal": z_i = r_i / a_ii.
 template <class Value>
 struct Jacobi
@@ -85,7 +75,7 @@ public:
     const double target = limits.tolerance * limits.tolerance * this->scaledNorm(b);
     if (target == 0.0)
     {
-      std::fill(x.begin(), x.end(), Value(0.0 * b.front()));
+      std::fill(x.begin(), x.end(), zero<Value>());
       return 0;
     }
     double norm = this->start(b, x);
@@ -123,14 +113,23 @@ private:
 
   std::int64_t count() const { return this->A.rows(); }
 
-  /// r = b - A x; returns its scaled norm.
-  double start(const std::vector<Value>& b, const std::vector<Value>& x)
+  /// r = b - A x; returns its scaled norm. A guess that is worse than zero, or not finite after
+  /// a solve that failed, is replaced by zero.
+  double start(const std::vector<Value>& b, std::vector<Value>& x)
   {
     multiply(this->A, x, this->R, this->Run);
     forEachIndex(
       this->Run, this->count(), [&](Index i) { this->R[at(i)] = b[at(i)] - this->R[at(i)]; });
+    double norm = this->scaledNorm(this->R);
+    const double normOfZero = this->scaledNorm(b);
+    if (!(norm <= normOfZero))
+    {
+      std::fill(x.begin(), x.end(), zero<Value>());
+      this->R = b;
+      norm = normOfZero;
+    }
     this->P = this->R;
-    return this->scaledNorm(this->R);
+    return norm;
   }
 
   void updateDirection(double beta)

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace evolving
 {
@@ -100,14 +100,39 @@ void distributeArea(const std::vector<Index>& vertices, const std::vector<double
   }
 }
 
+/// A / n of every component.
+std::vector<double> equalCoVolumes(const SurfaceGeometry& geometry)
+{
+  const std::vector<Index>& component = geometry.topology().componentOfVertex();
+  std::vector<double> area(at(geometry.topology().componentCount()), 0.0);
+  std::vector<Index> vertices(area.size(), 0);
+  for (std::size_t i = 0; i < component.size(); ++i)
+  {
+    if (component[i] != NoIndex)
+    {
+      area[at(component[i])] += geometry.coVolumes()[i];
+      ++vertices[at(component[i])];
+    }
+  }
+  std::vector<double> wanted(component.size(), 0.0);
+  for (std::size_t i = 0; i < component.size(); ++i)
+  {
+    const Index c = component[i];
+    wanted[i] = c == NoIndex ? 0.0 : area[at(c)] / vertices[at(c)];
+  }
+  return wanted;
+}
+
 } // namespace
 
 std::vector<double> wantedCoVolumes(const SurfaceGeometry& geometry, CurvatureControl control,
   double alpha, const Execution& execution)
 {
-  const std::vector<double> curvature = control == CurvatureControl::None
-    ? std::vector<double>(geometry.coVolumes().size(), 0.0)
-    : averagedCurvature(geometry, execution);
+  if (control == CurvatureControl::None)
+  {
+    return equalCoVolumes(geometry);
+  }
+  const std::vector<double> curvature = averagedCurvature(geometry, execution);
   std::vector<double> wanted(curvature.size(), 0.0);
   for (const std::vector<Index>& vertices : verticesOfComponents(geometry.topology()))
   {

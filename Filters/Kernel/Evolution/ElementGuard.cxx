@@ -15,8 +15,7 @@ namespace evolving
 namespace
 {
 
-/// The cotangent of GoodAngle.
-const double GoodCotangent = 1.0 / std::tan(GoodAngle * 0.017453292519943295);
+constexpr double RadiansPerDegree = 0.017453292519943295;
 
 /// The corner of a face and its two neighbours at given points.
 struct Corner
@@ -41,7 +40,8 @@ struct Corner
   }
 };
 
-bool isSpoiled(const SurfaceMesh& mesh, const std::vector<Vec3>& before, Index face)
+bool isSpoiled(
+  const SurfaceMesh& mesh, const std::vector<Vec3>& before, double largestCotangent, Index face)
 {
   Vec3 normal = Vec3::Zero();
   for (Index k = 0; k < mesh.faceSize(face); ++k)
@@ -61,17 +61,18 @@ bool isSpoiled(const SurfaceMesh& mesh, const std::vector<Vec3>& before, Index f
     sharpestBefore = std::max(sharpestBefore, old.cotangent());
     sharpest = std::max(sharpest, now.cotangent());
   }
-  return sharpest > std::max(sharpestBefore, GoodCotangent);
+  return sharpest > std::max(sharpestBefore, largestCotangent);
 }
 
 } // namespace
 
-std::vector<char> spoiledElements(
-  const SurfaceMesh& mesh, const std::vector<Vec3>& before, const Execution& execution)
+std::vector<char> spoiledElements(const SurfaceMesh& mesh, const std::vector<Vec3>& before,
+  double smallestAngle, const Execution& execution)
 {
+  const double largestCotangent = 1.0 / std::tan(smallestAngle * RadiansPerDegree);
   std::vector<char> spoiled(at(mesh.faceCount()));
   forEachIndex(execution, mesh.faceCount(),
-    [&](Index face) { spoiled[at(face)] = isSpoiled(mesh, before, face); });
+    [&](Index face) { spoiled[at(face)] = isSpoiled(mesh, before, largestCotangent, face); });
   return spoiled;
 }
 

@@ -17,18 +17,17 @@
 namespace evolving
 {
 
-/// An element may lose angle as long as its smallest one stays above this, in degrees.
-constexpr double GoodAngle = 20.0;
-
 /**
  * A move spoils an element when a corner that was convex, seen along the element's normal before
- * the move, is not after it, or when the element's smallest angle drops and is below GoodAngle.
+ * the move, is not after it, or when the element's smallest angle drops and is below
+ * smallestAngle.
  * @param mesh at the points after the move
  * @param before the points before it
+ * @param smallestAngle in degrees, above 0
  * @return one flag per face
  */
-std::vector<char> spoiledElements(
-  const SurfaceMesh& mesh, const std::vector<Vec3>& before, const Execution& execution);
+std::vector<char> spoiledElements(const SurfaceMesh& mesh, const std::vector<Vec3>& before,
+  double smallestAngle, const Execution& execution);
 
 } // namespace evolving
 

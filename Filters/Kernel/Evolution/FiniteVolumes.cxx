@@ -36,6 +36,7 @@ FiniteVolumes::FiniteVolumes(const MeshTopology& topology)
   : Topology(topology)
 {
   this->buildPattern();
+  this->locatePairs();
   this->CoVolumes.resize(at(topology.vertexCount()));
   this->CornerAreas.resize(at(topology.cornerCount()));
   this->PairWeights.resize(this->PairPositions.size());
@@ -58,27 +59,21 @@ void FiniteVolumes::buildPattern()
   const std::vector<double> values(inner.size(), 0.0);
   this->L = Eigen::Map<const SparseMatrix>(count, count, static_cast<Eigen::Index>(inner.size()),
     outer.data(), inner.data(), values.data());
+}
 
-  // Corner c with the face's other corners in the order of the face, as in FaceStencil.
+void FiniteVolumes::locatePairs()
+{
+  const Index* inner = this->L.innerIndexPtr();
+  const Index* outer = this->L.outerIndexPtr();
   this->PairOffsets.assign(1, 0);
   for (Index corner = 0; corner < this->Topology.cornerCount(); ++corner)
   {
     const Index row = this->Topology.vertexOf(corner);
-    const auto begin = inner.begin() + outer[at(row)];
-    const auto end = inner.begin() + outer[at(row) + 1];
-    const Index face = this->Topology.faceOf(corner);
-    Index first = corner;
-    while (first > 0 && this->Topology.faceOf(first - 1) == face)
+    for (Index c = this->Topology.next(corner); c != corner; c = this->Topology.next(c))
     {
-      --first;
-    }
-    for (Index c = first; c < this->Topology.cornerCount() && this->Topology.faceOf(c) == face; ++c)
-    {
-      if (c != corner)
-      {
-        const auto entry = std::lower_bound(begin, end, this->Topology.vertexOf(c));
-        this->PairPositions.push_back(static_cast<Index>(entry - inner.begin()));
-      }
+      const Index* entry =
+        std::lower_bound(inner + outer[row], inner + outer[row + 1], this->Topology.vertexOf(c));
+      this->PairPositions.push_back(static_cast<Index>(entry - inner));
     }
     this->PairOffsets.push_back(static_cast<Index>(this->PairPositions.size()));
   }

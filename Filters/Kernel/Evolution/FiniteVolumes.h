@@ -58,6 +58,7 @@ public:
 
 private:
   void buildPattern();
+  void locatePairs();
   void computeFaces(const SurfaceMesh& mesh, const Execution& execution);
   void gatherRow(Index row);
   void raiseVanishingCoVolumes(const Execution& execution);
@@ -66,7 +67,7 @@ private:
   SparseMatrix L;
   std::vector<Index> Diagonal; ///< position of a_ii in L's values
   std::vector<double> CoVolumes;
-  /// Of each corner the range of its pairs with the face's other corners.
+  /// Of each corner the range of its pairs with the face's other corners, as in FaceStencil.
   std::vector<Index> PairOffsets;
   std::vector<Index> PairPositions; ///< of each pair's entry in L's values
   std::vector<double> PairWeights;

@@ -4,6 +4,7 @@
 #include "Evolution/PoissonSolver.h"
 
 #include "Errors.h"
+#include "Evolution/ParallelLoops.h"
 
 #include <algorithm>
 
@@ -15,12 +16,15 @@ int PoissonSolver::solve(const SparseMatrix& L, const std::vector<char>& isPinne
   const Execution& execution)
 {
   const std::vector<double> zero(b.size(), 0.0);
+  std::vector<char> isKnown(b.size());
+  forEachIndex(execution, rowCount(L),
+    [&](Index row)
+    {
+      isKnown[at(row)] = isPinned[at(row)] || !(diagonalEntry(L, row) > 0.0);
+      psi[at(row)] = isKnown[at(row)] ? 0.0 : psi[at(row)];
+    });
   this->A = L;
-  eliminateKnown(isPinned, zero, this->A, b, execution);
-  for (std::size_t i = 0; i < psi.size(); ++i)
-  {
-    psi[i] = isPinned[i] ? 0.0 : psi[i];
-  }
+  eliminateKnown(isKnown, zero, this->A, b, execution);
   return this->solveReduced(b, psi, limits, execution);
 }
 

@@ -30,7 +30,8 @@ public:
   /**
    * @param L symmetric, positive definite once the pinned rows are removed; its pattern must not
    * change between calls
-   * @param isPinned one flag per row
+   * @param isPinned one flag per row; rows without a positive diagonal, those of vertices whose
+   * faces have shrunk to points, are pinned too
    * @param[in,out] psi the guess (the last solution), then the solution
    * @return the number of iterations
    * @throws SolverError, Cancelled

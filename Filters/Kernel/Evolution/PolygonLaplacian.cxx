@@ -79,7 +79,7 @@ std::vector<double> smallestWeights(
 void computeTriangleStencil(const std::vector<Vec3>& corners, FaceStencil& stencil)
 {
   const std::array<double, 3> w = halfCotangents(corners[0], corners[1], corners[2]);
-  stencil.pairWeights.assign({ w[2], w[1], w[2], w[0], w[1], w[0] });
+  stencil.pairWeights.assign({ w[2], w[1], w[0], w[2], w[1], w[0] });
   stencil.cornerAreas.assign(3, triangleArea(corners[0], corners[1], corners[2]) / 3.0);
 }
 
@@ -130,15 +130,12 @@ void computePolygonStencil(const std::vector<Vec3>& corners, FaceStencil& stenci
   for (std::size_t i = 0; i < n; ++i)
   {
     const std::size_t last = (i + n - 1) % n;
-    for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t j = (i + 1) % n; j != i; j = (j + 1) % n)
     {
-      if (j != i)
-      {
-        const double edge =
-          (j == (i + 1) % n ? fan.edgeWeight[i] : 0.0) + (j == last ? fan.edgeWeight[j] : 0.0);
-        const double folded = fan.spoke[i] * p[j] + fan.spoke[j] * p[i] - spokes * (p[i] * p[j]);
-        stencil.pairWeights.push_back(edge + folded);
-      }
+      const double edge =
+        (j == (i + 1) % n ? fan.edgeWeight[i] : 0.0) + (j == last ? fan.edgeWeight[j] : 0.0);
+      const double folded = fan.spoke[i] * p[j] + fan.spoke[j] * p[i] - spokes * (p[i] * p[j]);
+      stencil.pairWeights.push_back(edge + folded);
     }
     stencil.cornerAreas.push_back((fan.area[i] + fan.area[last] + p[i] * area) / 3.0);
   }

@@ -26,8 +26,9 @@ namespace evolving
 struct FaceStencil
 {
   /**
-   * Weights w_ij >=< 0 of the face's Laplacian, (L f)_i = sum_j w_ij (f_i - f_j), for the ordered
-   * pairs of corners: first corner 0 with corners 1, 2, ..., then corner 1 with 0, 2, ...
+   * Weights w_ij of the face's Laplacian, (L f)_i = sum_j w_ij (f_i - f_j), for the ordered
+   * pairs of corners: each corner with the others in the order round the face, (0, 1), (0, 2),
+   * ..., (1, 2), ..., (1, 0), ...
    */
   std::vector<double> pairWeights;
   /// Each corner's share of the face's area.
@@ -58,7 +59,7 @@ std::array<double, 3> halfCotangents(const Vec3& a, const Vec3& b, const Vec3& c
 double triangleArea(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /**
- * @param corners at least three points; passed by value storage of the caller, may be reused
+ * @param corners at least three points
  * @param[out] stencil its arrays are resized
  */
 void computeFaceStencil(const std::vector<Vec3>& corners, FaceStencil& stencil);

@@ -11,30 +11,10 @@ namespace evolving
 namespace
 {
 
-double zero(const double&)
-{
-  return 0.0;
-}
-
-Vec3 zero(const Vec3&)
-{
-  return Vec3::Zero();
-}
-
-double dot(double x, double y)
-{
-  return x * y;
-}
-
-double dot(const Vec3& x, const Vec3& y)
-{
-  return x.dot(y);
-}
-
 template <class Value>
 Value rowTimes(const SparseMatrix& A, Index row, const std::vector<Value>& x)
 {
-  Value sum = zero(x.front());
+  Value sum = zero<Value>();
   forEachEntry(A, row, [&](Index column, double value) { sum += value * x[at(column)]; });
   return sum;
 }
@@ -93,13 +73,12 @@ void eliminateKnown(const std::vector<char>& isKnown, const std::vector<Value>& 
 
 std::vector<double> inverseDiagonal(const SparseMatrix& A, const Execution& execution)
 {
-  std::vector<double> inverse(at(rowCount(A)), 1.0);
-  forEachIndex(execution, A.rows(),
+  std::vector<double> inverse(at(rowCount(A)));
+  forEachIndex(execution, rowCount(A),
     [&](Index row)
     {
-      forEachEntry(A, row,
-        [&](Index column, double value)
-        { inverse[at(row)] = column == row && value > 0.0 ? 1.0 / value : inverse[at(row)]; });
+      const double diagonal = diagonalEntry(A, row);
+      inverse[at(row)] = diagonal > 0.0 ? 1.0 / diagonal : 1.0;
     });
   return inverse;
 }

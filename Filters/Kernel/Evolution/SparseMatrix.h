@@ -37,6 +37,38 @@ void forEachEntry(const SparseMatrix& A, Index row, const Visit& visit)
   }
 }
 
+/// a_ii; 0 when it is not stored.
+inline double diagonalEntry(const SparseMatrix& A, Index row)
+{
+  double diagonal = 0.0;
+  forEachEntry(
+    A, row, [&](Index column, double value) { diagonal = column == row ? value : diagonal; });
+  return diagonal;
+}
+
+/// Values on vertices are numbers or points; both have an inner product and a zero.
+inline double dot(double x, double y)
+{
+  return x * y;
+}
+
+inline double dot(const Vec3& x, const Vec3& y)
+{
+  return x.dot(y);
+}
+
+template <class Value>
+Value zero()
+{
+  return Value(Value::Zero());
+}
+
+template <>
+inline double zero<double>()
+{
+  return 0.0;
+}
+
 /// y = A x. Value is double or Vec3 (then A acts on each coordinate).
 template <class Value>
 void multiply(const SparseMatrix& A, const std::vector<Value>& x, std::vector<Value>& y,

@@ -6,6 +6,7 @@
 #include "Errors.h"
 #include "Evolution/ElementGuard.h"
 #include "Evolution/ParallelLoops.h"
+#include "Evolution/StateMeasures.h"
 #include "Evolution/SubSteps.h"
 #include "Evolution/SurfaceCurves.h"
 #include "Evolution/SurfaceProjector.h"
@@ -21,6 +22,8 @@ namespace evolving
 namespace
 {
 
+/// Elements may lose angle as long as their smallest one stays above this, in degrees.
+constexpr double GoodAngle = 20.0;
 /// Moves are halved this often before they are given up.
 constexpr int MostHalvings = 5;
 /// psi moves points that are projected afterwards: a rough solution does.
@@ -54,6 +57,14 @@ RedistributionOptions ratesOf(
   return rates;
 }
 
+/// The angle below which no element may lose any, in degrees.
+double guardedAngle(
+  const SurfaceMesh& surface, const RedistributionOptions& rates, const Execution& execution)
+{
+  const double smallest = rates.angle > 0.0 ? smallestCornerAngle(surface, execution) : 0.0;
+  return std::max(GoodAngle, smallest * (1.0 - 1e-12)); // rounding is no loss
+}
+
 /// A surface whose points move along it.
 class MovingSurface
 {
@@ -70,6 +81,7 @@ public:
     , Tangential(this->Topology, this->Curves, ratesOf(surface, options, timeStep),
         options.boundaryMode, PotentialTolerance)
     , NoVelocity(surface.points.size(), Vec3::Zero())
+    , SmallestAngle(guardedAngle(surface, options.redistribution, execution))
   {
     if (options.preserveShape)
     {
@@ -109,6 +121,7 @@ private:
   std::unique_ptr<SurfaceProjector> Projector; ///< null when the shape may change
   std::vector<Vec3> NoVelocity;                ///< v_N = 0
   std::vector<double> NoDistance;
+  double SmallestAngle; ///< below it no element may lose angle
   std::vector<Vec3> Velocity;
   std::vector<Vec3> Before; ///< points at the start of the move
   SurfaceCurves::Positions OnCurvesBefore;
@@ -145,7 +158,8 @@ void MovingSurface::place(const std::vector<char>& changed, const Execution& exe
 bool MovingSurface::shortenSpoilingMoves(
   int attempt, std::vector<char>& changed, const Execution& execution)
 {
-  const std::vector<char> spoiled = spoiledElements(this->Mesh, this->Before, execution);
+  const std::vector<char> spoiled =
+    spoiledElements(this->Mesh, this->Before, this->SmallestAngle, execution);
   std::fill(changed.begin(), changed.end(), 0);
   bool any = false;
   for (Index face = 0; face < this->Mesh.faceCount(); ++face)

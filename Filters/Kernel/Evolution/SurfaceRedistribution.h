@@ -22,8 +22,11 @@ struct SurfaceRedistributionOptions
 {
   int numberOfSteps = 50;
   double timeStep = 0.1;
-  /// curvatureControlAlpha in units of half the diagonal of the surface's box.
-  RedistributionOptions redistribution = { 1.0, 1.0, 0.0, AngleWeighting::None,
+  /**
+   * curvatureControlAlpha in units of half the diagonal of the surface's box. By default angles
+   * come first: equal areas alone cost angles on meshes with irregular vertices.
+   */
+  RedistributionOptions redistribution = { 0.1, 3.0, 0.0, AngleWeighting::None,
     CurvatureControl::None, 0.1 };
   bool preserveShape = true; ///< points end on the input surface
   BoundaryMode boundaryMode = BoundaryMode::SlideAlong;
@@ -40,8 +43,9 @@ struct SurfaceRedistributionResult
  * Moves the points by v_T of section 3.3. Points of sharp edges and, with SlideAlong, of the
  * boundary slide along the input's curves; points where such curves end, meet or turn by more than
  * the feature angle stay. A move is shortened, to zero if need be, when it would turn a corner of
- * an element over, or would leave an element with a smallest angle below 20 degrees and smaller
- * than before: so the mesh's smallest angle never falls below the smaller of the two.
+ * an element over, or would make an element's smallest angle smaller than before and smaller than
+ * 20 degrees; than the input's smallest angle, if that is larger and the angle-based velocity is
+ * switched on. So that velocity never makes the smallest angle of a mesh worse.
  * @param surface an oriented manifold, closed or with boundary
  * @throws InputError for options out of range or a surface that cannot be used
  * @throws Cancelled

@@ -94,17 +94,6 @@ Expansion<A + B> operator+(const Expansion<A>& a, const Expansion<B>& b)
   return result;
 }
 
-template <std::size_t A>
-Expansion<A> operator-(const Expansion<A>& a)
-{
-  Expansion<A> result;
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    result.append(-a[i]);
-  }
-  return result;
-}
-
 /// Shewchuk's scale expansion.
 template <std::size_t A>
 Expansion<2 * A> operator*(const Expansion<A>& a, double factor)

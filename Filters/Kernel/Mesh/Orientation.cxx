@@ -71,11 +71,13 @@ int exactOrientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
   const Expansion<4> cd = exactMinor(c, d, 0, 1);
   const Expansion<4> da = exactMinor(d, a, 0, 1);
   const Expansion<4> ac = exactMinor(a, c, 0, 1);
+  const Expansion<4> ca = exactMinor(c, a, 0, 1);
   const Expansion<4> bd = exactMinor(b, d, 0, 1);
-  const Expansion<24> termA = (bc + cd + -bd) * -a[2];
+  const Expansion<4> db = exactMinor(d, b, 0, 1);
+  const Expansion<24> termA = (bc + cd + db) * -a[2];
   const Expansion<24> termB = (cd + da + ac) * b[2];
   const Expansion<24> termC = (da + ab + bd) * -c[2];
-  const Expansion<24> termD = (ab + bc + -ac) * d[2];
+  const Expansion<24> termD = (ab + bc + ca) * d[2];
   return ((termA + termB) + (termC + termD)).sign();
 }
 

@@ -5,6 +5,8 @@
 
 #include "Errors.h"
 
+#include <algorithm>
+
 #include <sstream>
 
 namespace evolving
@@ -158,6 +160,18 @@ void validate(const SurfaceMesh& mesh)
       requireFinitePoint(mesh, vertex);
     }
   }
+}
+
+SurfaceMesh reversed(const SurfaceMesh& mesh)
+{
+  SurfaceMesh other = mesh;
+  for (Index face = 0; face < mesh.faceCount(); ++face)
+  {
+    const auto f = static_cast<std::size_t>(face);
+    std::reverse(other.cornerVertices.begin() + mesh.faceOffsets[f],
+      other.cornerVertices.begin() + mesh.faceOffsets[f + 1]);
+  }
+  return other;
 }
 
 } // namespace evolving

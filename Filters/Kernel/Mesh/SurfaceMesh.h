@@ -72,6 +72,9 @@ double surfaceArea(const SurfaceMesh& mesh);
  */
 double signedVolume(const SurfaceMesh& mesh);
 
+/// The same surface seen from its other side: every face with its corners in reverse order.
+SurfaceMesh reversed(const SurfaceMesh& mesh);
+
 /**
  * Joins points with equal coordinates, takes vertices out that follow themselves in a face, and
  * drops faces that then have fewer than three vertices or meet one twice, and points that no

@@ -4,6 +4,7 @@
 #include "Mesh/TrianglePairs.h"
 
 #include "Mesh/Orientation.h"
+#include "Mesh/SegmentTriangle.h"
 
 #include <algorithm>
 #include <limits>
@@ -15,9 +16,7 @@ namespace evolving
 namespace
 {
 
-using Triangle = std::array<Vec3, 3>;
-
-Triangle cornersOf(const std::vector<Vec3>& points, const TriangleVertices& vertices)
+TriangleCorners cornersOf(const std::vector<Vec3>& points, const TriangleVertices& vertices)
 {
   const auto point = [&](std::size_t k) { return points[static_cast<std::size_t>(vertices[k])]; };
   return { point(0), point(1), point(2) };
@@ -40,78 +39,6 @@ int alignShared(TriangleVertices& first, TriangleVertices& second)
   return shared;
 }
 
-/// Whether the closed segments pq and rs meet when a coordinate axis is dropped.
-bool segmentsMeetInProjection(int axis, const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s)
-{
-  const int rSide = planarOrientation(axis, p, q, r);
-  const int sSide = planarOrientation(axis, p, q, s);
-  const int pSide = planarOrientation(axis, r, s, p);
-  const int qSide = planarOrientation(axis, r, s, q);
-  if (rSide * sSide > 0 || pSide * qSide > 0)
-  {
-    return false;
-  }
-  if (rSide != 0 || sSide != 0 || pSide != 0 || qSide != 0)
-  {
-    return true;
-  }
-  // All on one line: they meet when their extents do, in both remaining coordinates.
-  const auto extentsMeet = [&](int i)
-  {
-    return std::max(std::min(p[i], q[i]), std::min(r[i], s[i])) <=
-      std::min(std::max(p[i], q[i]), std::max(r[i], s[i]));
-  };
-  return extentsMeet((axis + 1) % 3) && extentsMeet((axis + 2) % 3);
-}
-
-bool isInsideInProjection(int axis, const Vec3& p, const Triangle& t)
-{
-  const int sides[3] = { planarOrientation(axis, t[0], t[1], p),
-    planarOrientation(axis, t[1], t[2], p), planarOrientation(axis, t[2], t[0], p) };
-  return *std::min_element(sides, sides + 3) >= 0 || *std::max_element(sides, sides + 3) <= 0;
-}
-
-/**
- * Whether a segment in the plane of a triangle meets it: it does when it does in all three
- * projections, for at least one of them is one-to-one on the plane, and in the others the shadows
- * of sets that meet meet as well.
- */
-bool coplanarSegmentMeets(const Vec3& p, const Vec3& q, const Triangle& t)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (!isInsideInProjection(axis, p, t) && !segmentsMeetInProjection(axis, p, q, t[0], t[1]) &&
-      !segmentsMeetInProjection(axis, p, q, t[1], t[2]) &&
-      !segmentsMeetInProjection(axis, p, q, t[2], t[0]))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-/// Whether the segment pq meets a triangle on whose sides pSide and qSide its ends lie.
-bool segmentMeets(const Vec3& p, const Vec3& q, int pSide, int qSide, const Triangle& t)
-{
-  if (pSide * qSide > 0)
-  {
-    return false;
-  }
-  if (pSide == 0 && qSide == 0)
-  {
-    return coplanarSegmentMeets(p, q, t);
-  }
-  // The line pq passes the triangle's edges all on the same side, or through one.
-  const int turn = orientation(p, q, t[0], t[1]);
-  const int nextTurn = orientation(p, q, t[1], t[2]);
-  if (turn * nextTurn < 0)
-  {
-    return false;
-  }
-  const int lastTurn = orientation(p, q, t[2], t[0]);
-  return turn * lastTurn >= 0 && nextTurn * lastTurn >= 0;
-}
-
 /// How far corners reach along a direction, seen from an origin, and the error of both numbers.
 struct Extent
 {
@@ -121,7 +48,7 @@ struct Extent
 };
 
 Extent extentAlong(
-  const Vec3& direction, const Vec3& origin, const Triangle& t, std::size_t firstCorner)
+  const Vec3& direction, const Vec3& origin, const TriangleCorners& t, std::size_t firstCorner)
 {
   constexpr double RelativeError = 1e-15; // four roundings of differences, products and sums
   Extent extent;
@@ -139,7 +66,7 @@ Extent extentAlong(
 }
 
 /// A quick look that is right when it says yes: a plane between the triangles keeps them apart.
-bool areClearlyApart(const Triangle& t, const Triangle& s)
+bool areClearlyApart(const TriangleCorners& t, const TriangleCorners& s)
 {
   const Vec3 direction = (s[0] + s[1] + s[2]) - (t[0] + t[1] + t[2]);
   const Extent first = extentAlong(direction, t[0], t, 0);
@@ -148,7 +75,7 @@ bool areClearlyApart(const Triangle& t, const Triangle& s)
 }
 
 /// The same with corner 0 shared: only there do the triangles touch the plane between them.
-bool areClearlyApartButForCorner0(const Triangle& t, const Triangle& s)
+bool areClearlyApartButForCorner0(const TriangleCorners& t, const TriangleCorners& s)
 {
   const Vec3& shared = t[0];
   const Vec3 direction =
@@ -159,7 +86,7 @@ bool areClearlyApartButForCorner0(const Triangle& t, const Triangle& s)
 }
 
 /// On which sides of a triangle's plane the corners of another one lie.
-std::array<int, 3> sidesOf(const Triangle& t, const Triangle& other)
+std::array<int, 3> sidesOf(const TriangleCorners& t, const TriangleCorners& other)
 {
   return { orientation(t[0], t[1], t[2], other[0]), orientation(t[0], t[1], t[2], other[1]),
     orientation(t[0], t[1], t[2], other[2]) };
@@ -170,14 +97,15 @@ bool areOnOneSide(const std::array<int, 3>& sides)
   return sides[0] != 0 && sides[0] == sides[1] && sides[1] == sides[2];
 }
 
-bool anyEdgeMeets(const Triangle& edges, const std::array<int, 3>& sides, const Triangle& t)
+bool anyEdgeMeets(
+  const TriangleCorners& edges, const std::array<int, 3>& sides, const TriangleCorners& t)
 {
-  return segmentMeets(edges[0], edges[1], sides[0], sides[1], t) ||
-    segmentMeets(edges[1], edges[2], sides[1], sides[2], t) ||
-    segmentMeets(edges[2], edges[0], sides[2], sides[0], t);
+  return segmentMeetsTriangle(edges[0], edges[1], sides[0], sides[1], t) ||
+    segmentMeetsTriangle(edges[1], edges[2], sides[1], sides[2], t) ||
+    segmentMeetsTriangle(edges[2], edges[0], sides[2], sides[0], t);
 }
 
-bool separateTrianglesMeet(const Triangle& t, const Triangle& s)
+bool separateTrianglesMeet(const TriangleCorners& t, const TriangleCorners& s)
 {
   if (areClearlyApart(t, s))
   {
@@ -193,22 +121,23 @@ bool separateTrianglesMeet(const Triangle& t, const Triangle& s)
 }
 
 /// Corner 0 is shared: the edges opposite to it decide.
-bool trianglesAtCornerMeet(const Triangle& t, const Triangle& s)
+bool trianglesAtCornerMeet(const TriangleCorners& t, const TriangleCorners& s)
 {
   if (areClearlyApartButForCorner0(t, s))
   {
     return false;
   }
-  const auto oppositeEdgeMeets = [](const Triangle& edges, const Triangle& other)
+  const auto oppositeEdgeMeets = [](const TriangleCorners& edges, const TriangleCorners& other)
   {
-    return segmentMeets(edges[1], edges[2], orientation(other[0], other[1], other[2], edges[1]),
+    return segmentMeetsTriangle(edges[1], edges[2],
+      orientation(other[0], other[1], other[2], edges[1]),
       orientation(other[0], other[1], other[2], edges[2]), other);
   };
   return oppositeEdgeMeets(t, s) || oppositeEdgeMeets(s, t);
 }
 
 /// Corners 0 and 1 are shared: in one plane and on the same side of the shared edge?
-bool isFoldedFlat(const Triangle& t, const Triangle& s)
+bool isFoldedFlat(const TriangleCorners& t, const TriangleCorners& s)
 {
   bool sameSide = false;
   for (int axis = 0; axis < 3; ++axis)
@@ -228,7 +157,7 @@ bool isFoldedFlat(const Triangle& t, const Triangle& s)
 
 bool hasArea(const std::vector<Vec3>& points, const TriangleVertices& triangle)
 {
-  const Triangle t = cornersOf(points, triangle);
+  const TriangleCorners t = cornersOf(points, triangle);
   return planarOrientation(0, t[0], t[1], t[2]) != 0 ||
     planarOrientation(1, t[0], t[1], t[2]) != 0 || planarOrientation(2, t[0], t[1], t[2]) != 0;
 }
@@ -237,8 +166,8 @@ bool intersectBeyondShared(
   const std::vector<Vec3>& points, TriangleVertices first, TriangleVertices second)
 {
   const int shared = alignShared(first, second);
-  const Triangle t = cornersOf(points, first);
-  const Triangle s = cornersOf(points, second);
+  const TriangleCorners t = cornersOf(points, first);
+  const TriangleCorners s = cornersOf(points, second);
   switch (shared)
   {
     case 0:

@@ -56,13 +56,14 @@ double defaultEdgeLength(double area);
 double shrinkWrapTimeStep(const ShrinkWrapOptions& options);
 
 /**
- * @param target triangles in any state, or points only; not empty
+ * A target without an inside to speak of (an open sheet, points) is given a thin wall.
+ * @param mesh the target: triangles in any state, or points only; not empty
  * @throws InputError for a target without extent, coordinates that are not finite, or options out
  * of range
  * @throws Cancelled
  */
 ShrinkWrapProblem prepareShrinkWrap(
-  const SurfaceMesh& target, const ShrinkWrapOptions& options, const Execution& execution = {});
+  const SurfaceMesh& mesh, const ShrinkWrapOptions& options, const Execution& execution = {});
 
 } // namespace evolving
 

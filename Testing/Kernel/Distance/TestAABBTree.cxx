@@ -80,20 +80,19 @@ TEST(AABBTree, FindsTheClosestOfAllTriangles)
     for (int n = 0; n < 1000; ++n)
     {
       const Vec3 point = random();
-      ClosestTriangle expected;
-      expected.at.squaredDistance = std::numeric_limits<double>::infinity();
+      Index expected = NoIndex;
+      double smallest = std::numeric_limits<double>::infinity();
       for (Index t = 0; t < tree.triangleCount(); ++t)
       {
-        const TrianglePoint at = closestPointOnTriangle(point, tree.triangle(t));
-        if (at.squaredDistance < expected.at.squaredDistance)
-        {
-          expected = { t, at };
-        }
+        const double squared = MeasuredTriangle<double>(tree.triangle(t)).squaredDistance(point);
+        expected = squared < smallest ? t : expected;
+        smallest = std::min(smallest, squared);
       }
+      const TrianglePoint at = closestPointOnTriangle(point, tree.triangle(expected));
       const ClosestTriangle found = tree.closest(point);
-      ASSERT_EQ(found.triangle, expected.triangle) << shape.name;
-      ASSERT_EQ(found.at.squaredDistance, expected.at.squaredDistance) << shape.name;
-      ASSERT_EQ(found.at.feature, expected.at.feature) << shape.name;
+      ASSERT_EQ(found.triangle, expected) << shape.name;
+      ASSERT_EQ(found.at.point, at.point) << shape.name;
+      ASSERT_EQ(found.at.feature, at.feature) << shape.name;
     }
   }
 }
@@ -108,7 +107,8 @@ TEST(AABBTree, TheAnswerDoesNotDependOnBoundOrGuess)
     {
       const Vec3 point = random();
       const ClosestTriangle free = tree.closest(point);
-      const double squared = free.at.squaredDistance;
+      const double squared =
+        MeasuredTriangle<double>(tree.triangle(free.triangle)).squaredDistance(point);
       const Index guess = n % tree.triangleCount();
       ASSERT_EQ(tree.closest(point, squared).triangle, free.triangle) << shape.name;
       ASSERT_EQ(tree.closest(point, 2.0 * squared, guess).triangle, free.triangle) << shape.name;

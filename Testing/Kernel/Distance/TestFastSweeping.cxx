@@ -115,8 +115,8 @@ TEST(FastSweeping, IsExactForAPlane)
 
 TEST(FastSweeping, IsOfFirstOrderForASphere)
 {
-  const double coarse = sphereError(24);
-  const double fine = sphereError(48);
+  const double coarse = sphereError(48);
+  const double fine = sphereError(96);
   const double slope = std::log2(coarse / fine);
   EXPECT_GE(slope, 0.9);
   EXPECT_LE(slope, 1.6);

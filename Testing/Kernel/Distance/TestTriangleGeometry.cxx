@@ -136,7 +136,7 @@ TEST(MeasuredTriangle, AgreesWithTheClosestPoint)
   {
     const Triangle triangle = randomTriangle(random, n);
     const Vec3 point = random(2.0);
-    EXPECT_NEAR(std::sqrt(MeasuredTriangle(triangle).squaredDistance(point)),
+    EXPECT_NEAR(std::sqrt(MeasuredTriangle<double>(triangle).squaredDistance(point)),
       std::sqrt(closestPointOnTriangle(point, triangle).squaredDistance), 2e-7)
       << n;
   }
@@ -150,8 +150,8 @@ TEST(TriangleBoxOverlap, AgreesWithTheClosestPointInTheBox)
   for (int n = 0; n < 2000; ++n)
   {
     const Triangle triangle = randomTriangle(random, n);
-    const Vec3 center = random(1.2);
-    const Vec3 half = (random(0.5)).cwiseAbs();
+    const Vec3 center = random();
+    const Vec3 half = random(0.8).cwiseAbs();
     const Box box(Vec3(center - half), Vec3(center + half));
     Vec3 point = center;
     double gap = 0.0;
@@ -183,55 +183,4 @@ TEST(TriangleBoxOverlap, CountsTouching)
   // A plane that cuts a corner's surroundings off without meeting the cube itself.
   EXPECT_FALSE(overlaps({ { Vec3(3.1, 0, 0), Vec3(0, 3.1, 0), Vec3(0, 0, 3.1) } }, unit));
   EXPECT_TRUE(overlaps({ { Vec3(2.9, 0, 0), Vec3(0, 2.9, 0), Vec3(0, 0, 2.9) } }, unit));
-}
-
-TEST(Ray, HitsWhereItCrosses)
-{
-  const Ray ray(Vec3(1, 1, -3), Vec3(0, 0, 2));
-  ASSERT_TRUE(ray.hit(RightTriangle).has_value());
-  EXPECT_DOUBLE_EQ(*ray.hit(RightTriangle), 1.5);
-  EXPECT_FALSE(Ray(Vec3(1, 1, 3), Vec3(0, 0, 2)).hit(RightTriangle).has_value());
-  EXPECT_FALSE(Ray(Vec3(3, 3, -3), Vec3(0, 0, 2)).hit(RightTriangle).has_value());
-  EXPECT_TRUE(Ray(Vec3(5, 1, 1), Vec3(-4, 0, -1)).hit(RightTriangle).has_value());
-}
-
-TEST(Ray, CrossesExactlyOneTriangleOfAFanAtItsVertexAndEdges)
-{
-  // Rays straight through vertices and edges of a flat grid of triangles.
-  std::vector<Triangle> triangles;
-  for (int i = -2; i < 2; ++i)
-  {
-    for (int j = -2; j < 2; ++j)
-    {
-      const Vec3 a(i, j, 0);
-      const Vec3 b(i + 1, j, 0);
-      const Vec3 c(i + 1, j + 1, 0);
-      const Vec3 d(i, j + 1, 0);
-      triangles.push_back({ { a, b, c } });
-      triangles.push_back({ { a, c, d } });
-    }
-  }
-  for (const Vec3& target : { Vec3(0, 0, 0), Vec3(0.5, 0, 0), Vec3(0.5, 0.5, 0), Vec3(1, 0.25, 0) })
-  {
-    for (const Vec3& direction : { Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(0.5, 0.25, 1) })
-    {
-      const Ray ray(target - direction, direction);
-      int hits = 0;
-      for (const Triangle& triangle : triangles)
-      {
-        hits += ray.hit(triangle).has_value() ? 1 : 0;
-      }
-      EXPECT_EQ(hits % 2, 1) << target.transpose() << " along " << direction.transpose();
-    }
-  }
-}
-
-TEST(Ray, MeetsBoxesBehindItOnlyWhenItStartsInside)
-{
-  const Box unit(Vec3(0, 0, 0), Vec3(1, 1, 1));
-  EXPECT_TRUE(Ray(Vec3(0.5, 0.5, 0.5), Vec3(0, 0, 1)).meets(unit));
-  EXPECT_TRUE(Ray(Vec3(0.5, 0.5, -5), Vec3(0, 0, 1)).meets(unit));
-  EXPECT_FALSE(Ray(Vec3(0.5, 0.5, 5), Vec3(0, 0, 1)).meets(unit));
-  EXPECT_FALSE(Ray(Vec3(1.5, 0.5, -5), Vec3(0, 0, 1)).meets(unit));
-  EXPECT_TRUE(Ray(Vec3(1, 1, -5), Vec3(0, 0, 1)).meets(unit));
 }

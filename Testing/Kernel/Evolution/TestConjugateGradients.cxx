@@ -120,6 +120,20 @@ TEST(ConjugateGradients, ZeroRightHandSideGivesZero)
   EXPECT_EQ(x, std::vector<double>(50, 0.0));
 }
 
+TEST(ConjugateGradients, ForgetsAGuessThatIsWorseThanNone)
+{
+  const SparseMatrix A = randomMatrix(500, 14);
+  const std::vector<Vec3> b = randomPoints(500, 15);
+  std::vector<Vec3> expected(b.size(), Vec3::Zero());
+  conjugateGradients(A, b, expected, {}, {});
+  for (const double bad : { std::nan(""), 1e30 })
+  {
+    std::vector<Vec3> x(b.size(), Vec3::Constant(bad));
+    conjugateGradients(A, b, x, {}, {});
+    EXPECT_TRUE(x == expected);
+  }
+}
+
 TEST(ConjugateGradients, AsksWhetherToStop)
 {
   const SparseMatrix A = randomMatrix(500, 11);

@@ -175,6 +175,18 @@ TEST(EdgeChains, CoverEveryInnerEdgeOnce)
   }
 }
 
+TEST(EdgeChains, EndAfterTheirLongestLength)
+{
+  const SurfaceMesh mesh = shapes::torusGrid(12000, 3, 2.0, 0.01, false);
+  const MeshTopology topology(mesh);
+  std::map<Index, int> lengths;
+  for (const VertexChain& chain : edgeChains(topology, SurfaceCurves(mesh, topology)))
+  {
+    ++lengths[chain.edgeCount()];
+  }
+  EXPECT_EQ(lengths, (std::map<Index, int>{ { 3, 12000 }, { LongestChain, 3 }, { 2000, 3 } }));
+}
+
 TEST(EdgeChains, EndAtIrregularVertices)
 {
   const SurfaceMesh mesh = icosphere(2); // edges of the icosahedron: chains of four

@@ -4,7 +4,7 @@
 #include "Mesh/BoxPairs.h"
 
 #include "Errors.h"
-#include "TestShapes.h"
+#include "MeshVariants.h"
 #include "ThreadedExecution.h"
 
 #include <gtest/gtest.h>

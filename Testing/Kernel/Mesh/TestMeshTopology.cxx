@@ -3,13 +3,12 @@
 
 #include "Mesh/MeshTopology.h"
 
-#include "Errors.h"
+#include "MeshVariants.h"
 #include "TestShapes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 #include <random>
 #include <set>
 #include <string>
@@ -20,54 +19,6 @@ namespace evolving
 
 namespace
 {
-
-std::string refusalOf(const SurfaceMesh& mesh)
-{
-  try
-  {
-    const MeshTopology topology(mesh);
-  }
-  catch (const InputError& error)
-  {
-    return error.what();
-  }
-  return "accepted";
-}
-
-bool startsWith(const std::string& text, const std::string& beginning)
-{
-  return text.compare(0, beginning.size(), beginning) == 0;
-}
-
-/// The same surface with vertices, faces and the corners of each face in another order.
-SurfaceMesh shuffled(const SurfaceMesh& mesh, std::mt19937& generator)
-{
-  std::vector<Index> number(mesh.points.size());
-  std::vector<Index> order(static_cast<std::size_t>(mesh.faceCount()));
-  std::iota(number.begin(), number.end(), 0);
-  std::iota(order.begin(), order.end(), 0);
-  std::shuffle(number.begin(), number.end(), generator);
-  std::shuffle(order.begin(), order.end(), generator);
-  SurfaceMesh result;
-  result.points.resize(mesh.points.size());
-  for (std::size_t v = 0; v < number.size(); ++v)
-  {
-    result.points[static_cast<std::size_t>(number[v])] = mesh.points[v];
-  }
-  for (const Index face : order)
-  {
-    const Index size = mesh.faceSize(face);
-    const Index shift = std::uniform_int_distribution<Index>(0, size - 1)(generator);
-    std::vector<Index> vertices;
-    for (Index k = 0; k < size; ++k)
-    {
-      vertices.push_back(
-        number[static_cast<std::size_t>(mesh.faceVertex(face, (k + shift) % size))]);
-    }
-    result.addFace(vertices);
-  }
-  return result;
-}
 
 struct NamedMesh
 {
@@ -256,57 +207,6 @@ TEST(MeshTopology, RingOfADiscGoesRoundOnce)
   EXPECT_EQ(std::vector<Index>(ring.begin(), ring.end()), (std::vector<Index>{ 1, 2, 3, 4, 5, 6 }));
   const MeshTopology::Run half = topology.ringVertices(2);
   EXPECT_EQ(std::vector<Index>(half.begin(), half.end()), (std::vector<Index>{ 3, 0, 1 }));
-}
-
-TEST(MeshTopology, RefusesAMoebiusBandInOneSentence)
-{
-  for (const Index count : { 3, 4, 9, 30 })
-  {
-    const std::string message = refusalOf(moebiusBand(count));
-    EXPECT_TRUE(startsWith(message, "The two faces at the edge between points ")) << message;
-    EXPECT_NE(message.find("opposite orientations"), std::string::npos);
-    EXPECT_EQ(std::count(message.begin(), message.end(), '.'), 1);
-  }
-}
-
-TEST(MeshTopology, RefusesAFlippedFace)
-{
-  SurfaceMesh mesh = unitIcosphere(1);
-  std::swap(mesh.cornerVertices[30], mesh.cornerVertices[31]);
-  EXPECT_NE(refusalOf(mesh).find("opposite orientations"), std::string::npos);
-}
-
-TEST(MeshTopology, RefusesAnEdgeOfThreeFaces)
-{
-  const SurfaceMesh fins =
-    makeMesh({ { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, { -1, -1, 0 } },
-      { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } });
-  EXPECT_TRUE(startsWith(
-    refusalOf(fins), "The edge between points 0 and 1 belongs to 3 faces, expected at most 2"));
-}
-
-TEST(MeshTopology, RefusesEveryKindOfBowTie)
-{
-  const SurfaceMesh open =
-    makeMesh({ { 0, 0, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 }, { -1, -1, 0 } },
-      { { 0, 1, 2 }, { 0, 3, 4 } });
-  const SurfaceMesh closed = cellSurface({ { 0, 0, 0 }, { 1, 1, 1 } });
-  // The disc's centre becomes the top of a tetrahedron as well.
-  SurfaceMesh mixed = disc(5);
-  mixed.addPoint({ 1, 0, 1 });
-  mixed.addPoint({ -1, 1, 1 });
-  mixed.addFace({ 0, 6, 7 });
-  for (const SurfaceMesh& mesh : { open, closed, mixed })
-  {
-    const std::string message = refusalOf(mesh);
-    EXPECT_TRUE(startsWith(message, "Several separate fans of faces meet at point ")) << message;
-  }
-}
-
-TEST(MeshTopology, RefusesAnEdgeFromAVertexToItself)
-{
-  const SurfaceMesh mesh = makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 1, 2 } });
-  EXPECT_TRUE(startsWith(refusalOf(mesh), "An edge joins point 1 to itself"));
 }
 
 } // namespace

@@ -3,7 +3,7 @@
 
 #include "Mesh/Orientation.h"
 
-#include "TestShapes.h"
+#include "MeshVariants.h"
 
 #include <gtest/gtest.h>
 

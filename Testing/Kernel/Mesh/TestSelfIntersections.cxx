@@ -5,6 +5,7 @@
 
 #include "Errors.h"
 #include "Mesh/TrianglePairs.h"
+#include "MeshVariants.h"
 #include "TestShapes.h"
 #include "ThreadedExecution.h"
 
@@ -97,7 +98,7 @@ TEST(SelfIntersections, AgreeWithAllPairsInRandomSoups)
   for (const std::vector<double>& sizes :
     { std::vector<double>{ 0.3 }, { 2.0 }, { 0.02, 0.02, 0.02, 0.02, 0.02, 3.0 }, { 1e-3, 1.0 } })
   {
-    const SurfaceMesh soup = randomSoup(700, sizes, generator);
+    const SurfaceMesh soup = randomSoup(500, sizes, generator);
     const Pairs expected = allPairsReference(soup);
     EXPECT_GT(expected.size(), 20U);
     EXPECT_EQ(selfIntersections(soup), expected);
@@ -211,14 +212,10 @@ TEST(SelfIntersections, DoNotDependOnScaleOrPlace)
   EXPECT_EQ(selfIntersections(moved(soup, 1e30, Vec3::Zero())), expected);
   EXPECT_EQ(selfIntersections(moved(soup, 1.0, { 1e6, -2e6, 3e5 })), expected);
   EXPECT_EQ(selfIntersections(mapped(soup, randomRotation(generator))), expected);
-}
-
-TEST(SelfIntersections, StayExactFarFromTheOrigin)
-{
-  // Whole numbers: the move is exact, so every touching pair must still touch.
+  // Whole numbers: this move is exact, so every touching pair must still touch.
   const SurfaceMesh folded = foldedSheet(13, 4, 3);
-  const Pairs expected = selfIntersections(folded);
-  EXPECT_EQ(selfIntersections(moved(folded, 1.0, { 1e15, -1e15, 12345.0 })), expected);
+  EXPECT_EQ(
+    selfIntersections(moved(folded, 1.0, { 1e15, -1e15, 12345.0 })), selfIntersections(folded));
 }
 
 TEST(SelfIntersections, AreTheSameForAnyThreads)

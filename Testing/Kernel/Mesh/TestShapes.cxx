@@ -17,16 +17,6 @@ namespace
 
 constexpr double Pi = 3.141592653589793;
 
-std::vector<Index> faceVertices(const SurfaceMesh& mesh, Index face)
-{
-  std::vector<Index> vertices;
-  for (Index k = 0; k < mesh.faceSize(face); ++k)
-  {
-    vertices.push_back(mesh.faceVertex(face, k));
-  }
-  return vertices;
-}
-
 SurfaceMesh icosahedron()
 {
   const double g = (1.0 + std::sqrt(5.0)) / 2.0;
@@ -63,12 +53,12 @@ SurfaceMesh splitOnSphere(const SurfaceMesh& coarse)
   };
   for (Index face = 0; face < coarse.faceCount(); ++face)
   {
-    const std::vector<Index> v = faceVertices(coarse, face);
-    const std::array<Index, 3> m{ midpoint(v[0], v[1]), midpoint(v[1], v[2]),
-      midpoint(v[2], v[0]) };
-    fine.addFace({ v[0], m[0], m[2] });
-    fine.addFace({ v[1], m[1], m[0] });
-    fine.addFace({ v[2], m[2], m[1] });
+    const auto v = [&](Index k) { return coarse.faceVertex(face, k); };
+    const std::array<Index, 3> m{ midpoint(v(0), v(1)), midpoint(v(1), v(2)),
+      midpoint(v(2), v(0)) };
+    fine.addFace({ v(0), m[0], m[2] });
+    fine.addFace({ v(1), m[1], m[0] });
+    fine.addFace({ v(2), m[2], m[1] });
     fine.addFace({ m[0], m[1], m[2] });
   }
   return fine;
@@ -258,103 +248,6 @@ SurfaceMesh triangleSheet(Index rows, Index columns)
       mesh.addFace({ v, v + columns, v + columns + 1 });
       mesh.addFace({ v, v + columns + 1, v + 1 });
     }
-  }
-  return mesh;
-}
-
-SurfaceMesh triangulated(const SurfaceMesh& mesh, std::mt19937& generator)
-{
-  SurfaceMesh triangles;
-  triangles.points = mesh.points;
-  for (Index face = 0; face < mesh.faceCount(); ++face)
-  {
-    const Index size = mesh.faceSize(face);
-    const Index apex = std::uniform_int_distribution<Index>(0, size - 1)(generator);
-    for (Index k = 1; k + 1 < size; ++k)
-    {
-      triangles.addFace({ mesh.faceVertex(face, apex), mesh.faceVertex(face, (apex + k) % size),
-        mesh.faceVertex(face, (apex + k + 1) % size) });
-    }
-  }
-  return triangles;
-}
-
-SurfaceMesh soupOf(const SurfaceMesh& mesh)
-{
-  SurfaceMesh soup;
-  for (Index face = 0; face < mesh.faceCount(); ++face)
-  {
-    std::vector<Index> vertices;
-    for (Index k = 0; k < mesh.faceSize(face); ++k)
-    {
-      vertices.push_back(soup.addPoint(mesh.facePoint(face, k)));
-    }
-    soup.addFace(vertices);
-  }
-  return soup;
-}
-
-SurfaceMesh unionOf(const SurfaceMesh& first, const SurfaceMesh& second)
-{
-  SurfaceMesh both = first;
-  both.points.insert(both.points.end(), second.points.begin(), second.points.end());
-  for (Index face = 0; face < second.faceCount(); ++face)
-  {
-    std::vector<Index> vertices = faceVertices(second, face);
-    for (Index& vertex : vertices)
-    {
-      vertex += first.vertexCount();
-    }
-    both.addFace(vertices);
-  }
-  return both;
-}
-
-SurfaceMesh moved(SurfaceMesh mesh, double scale, const Vec3& offset)
-{
-  for (Vec3& point : mesh.points)
-  {
-    point = scale * point + offset;
-  }
-  return mesh;
-}
-
-SurfaceMesh flipped(const SurfaceMesh& mesh)
-{
-  SurfaceMesh result;
-  result.points = mesh.points;
-  for (Index face = 0; face < mesh.faceCount(); ++face)
-  {
-    const std::vector<Index> vertices = faceVertices(mesh, face);
-    result.addFace({ vertices.rbegin(), vertices.rend() });
-  }
-  return result;
-}
-
-Vec3 randomPoint(std::mt19937& generator)
-{
-  std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
-  const double x = coordinate(generator);
-  const double y = coordinate(generator);
-  return { x, y, coordinate(generator) };
-}
-
-Eigen::Matrix3d randomRotation(std::mt19937& generator)
-{
-  std::normal_distribution<double> normal;
-  Eigen::Quaterniond quaternion;
-  for (double& coefficient : quaternion.coeffs())
-  {
-    coefficient = normal(generator);
-  }
-  return quaternion.normalized().toRotationMatrix();
-}
-
-SurfaceMesh mapped(SurfaceMesh mesh, const Eigen::Matrix3d& matrix)
-{
-  for (Vec3& point : mesh.points)
-  {
-    point = matrix * point;
   }
   return mesh;
 }

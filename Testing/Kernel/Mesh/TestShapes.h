@@ -12,7 +12,6 @@
 #include "Mesh/SurfaceMesh.h"
 
 #include <array>
-#include <random>
 #include <set>
 #include <vector>
 
@@ -51,30 +50,6 @@ SurfaceMesh slabWithHoles(int holes);
 
 /// rows by columns points (i, j, 0), each square cut into two triangles.
 SurfaceMesh triangleSheet(Index rows, Index columns);
-
-/// Every polygon cut into a fan of triangles about a corner chosen at random.
-SurfaceMesh triangulated(const SurfaceMesh& mesh, std::mt19937& generator);
-
-/// Every face with points of its own, as in an STL file.
-SurfaceMesh soupOf(const SurfaceMesh& mesh);
-
-/// Both meshes side by side, no vertex shared.
-SurfaceMesh unionOf(const SurfaceMesh& first, const SurfaceMesh& second);
-
-/// The mesh with the points mapped by p -> scale * p + offset.
-SurfaceMesh moved(SurfaceMesh mesh, double scale, const Vec3& offset);
-
-/// The mesh with every face's corners in reversed order.
-SurfaceMesh flipped(const SurfaceMesh& mesh);
-
-/// A point in the cube [-1, 1]^3.
-Vec3 randomPoint(std::mt19937& generator);
-
-/// A rotation about a random axis by a random angle.
-Eigen::Matrix3d randomRotation(std::mt19937& generator);
-
-/// The mesh with every point multiplied by a matrix.
-SurfaceMesh mapped(SurfaceMesh mesh, const Eigen::Matrix3d& matrix);
 
 } // namespace evolving
 

@@ -5,6 +5,7 @@
 
 #include "Errors.h"
 #include "Mesh/TopologySummary.h"
+#include "MeshVariants.h"
 #include "TestShapes.h"
 
 #include <gtest/gtest.h>

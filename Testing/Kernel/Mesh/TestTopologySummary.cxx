@@ -3,6 +3,7 @@
 
 #include "Mesh/TopologySummary.h"
 
+#include "MeshVariants.h"
 #include "TestShapes.h"
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 
 #include "Mesh/VertexNormals.h"
 
+#include "MeshVariants.h"
 #include "TestShapes.h"
 #include "ThreadedExecution.h"
 

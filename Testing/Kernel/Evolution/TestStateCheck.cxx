@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Evolution/StateCheck.h"
+
+#include "Errors.h"
+#include "Evolution/EvolutionShapes.h"
+#include "Evolution/StateMeasures.h"
+#include "Mesh/MeshQuality.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace evolving;
+
+TEST(StateCheck, AcceptsAnOrdinaryStep)
+{
+  const SurfaceMesh start = shapes::bumpySphere(2);
+  const StateCheck check(start, 2.0);
+  EXPECT_NO_THROW(check.require(start, start.points, Execution()));
+  EXPECT_NO_THROW(
+    check.require(shapes::transformed(start, 1.1, Vec3::Zero()), start.points, Execution()));
+}
+
+TEST(StateCheck, AFlatStartMayStayFlat)
+{
+  SurfaceMesh sheet = shapes::sheet(4, true);
+  const StateCheck check(sheet, 1.0);
+  sheet.points[7].z() = 1e-13;
+  EXPECT_NO_THROW(check.require(sheet, sheet.points, Execution()));
+  sheet.points[7].z() = 1e-3;
+  EXPECT_THROW(check.require(sheet, sheet.points, Execution()), SolverError);
+}
+
+TEST(StateCheck, RefusesPointsOutsideTheGuard)
+{
+  const SurfaceMesh start = icosphere(2);
+  SurfaceMesh moved = start;
+  moved.points[3] *= 2.5;
+  EXPECT_THROW(StateCheck(start, 2.0).require(moved, start.points, Execution()), SolverError);
+  EXPECT_NO_THROW(StateCheck(start, 3.0).require(moved, start.points, Execution()));
+  EXPECT_NO_THROW(StateCheck(start, 0.0).require(moved, start.points, Execution()));
+}
+
+TEST(StateCheck, RefusesCoordinatesThatAreNotFinite)
+{
+  const SurfaceMesh start = icosphere(2);
+  for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity() })
+  {
+    SurfaceMesh moved = start;
+    moved.points[5].y() = bad;
+    EXPECT_THROW(StateCheck(start, 0.0).require(moved, start.points, Execution()), SolverError);
+  }
+}
+
+TEST(StateCheck, RefusesASurfaceThatTurnsOver)
+{
+  const SurfaceMesh start = icosphere(2);
+  SurfaceMesh mirrored = start;
+  for (Vec3& p : mirrored.points)
+  {
+    p.z() = -p.z();
+  }
+  EXPECT_THROW(StateCheck(start, 2.0).require(mirrored, start.points, Execution()), SolverError);
+  SurfaceMesh dented = start; // one vertex turns its six faces of 320: not yet a failure
+  dented.points[100] *= 0.2;
+  EXPECT_NO_THROW(StateCheck(start, 2.0).require(dented, start.points, Execution()));
+}
+
+TEST(StateCheck, RefusesASurfaceThatHasVanished)
+{
+  const SurfaceMesh start = icosphere(2);
+  EXPECT_THROW(
+    StateCheck(start, 2.0)
+      .require(shapes::transformed(start, 1e-5, Vec3::Zero()), start.points, Execution()),
+    SolverError);
+}
+
+TEST(StateMeasures, SmallestAngleAgreesWithTheMeshQuality)
+{
+  for (const SurfaceMesh& mesh :
+    { shapes::bumpySphere(4), cubeSphere(7), shapes::shakenSheet(9, true, 0.5, 2) })
+  {
+    EXPECT_NEAR(smallestCornerAngle(mesh, Execution()), smallestAngle(mesh), 1e-10);
+  }
+  SurfaceMesh collapsed = icosphere(1);
+  collapsed.points[0] = collapsed.points[static_cast<std::size_t>(collapsed.faceVertex(0, 1))];
+  collapsed.points[static_cast<std::size_t>(collapsed.faceVertex(0, 0))] =
+    collapsed.points[static_cast<std::size_t>(collapsed.faceVertex(0, 1))];
+  EXPECT_EQ(smallestCornerAngle(collapsed, Execution()), 0.0);
+}
+
+TEST(StateMeasures, MeasuresASphereBesideItsTarget)
+{
+  const SurfaceMesh mesh = icosphere(4, 2.0);
+  FlowArrays arrays;
+  arrays.coVolume.assign(mesh.points.size(), 16.0 * shapes::Pi / 2562.0);
+  arrays.distance.assign(mesh.points.size(), -0.5);
+  arrays.distance[9] = 3.0;
+  FlowRecord record;
+  measureState(mesh, arrays, record, Execution());
+  EXPECT_NEAR(record.area, 16.0 * shapes::Pi, 1e-9);
+  EXPECT_NEAR(record.volume, 32.0 / 3.0 * shapes::Pi, 0.1);
+  EXPECT_NEAR(record.meanDistance, 0.5 + 2.5 / 2562.0, 1e-12);
+  EXPECT_EQ(record.maxDistance, 3.0);
+}

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ShrinkWrap/ShrinkWrap.h"
+
+#include "Errors.h"
+#include "Evolution/SurfaceFlow.h"
+#include "Mesh/MeshQuality.h"
+#include "Mesh/TopologySummary.h"
+#include "ShrinkWrap/SurfaceReport.h"
+#include "StartSurface/PrimitiveSurfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace
+{
+
+using namespace evolving;
+
+ShrinkWrapOptions coarse()
+{
+  ShrinkWrapOptions options;
+  options.sampleDimensions = { 40, 40, 40 };
+  options.targetEdgeLength = 0.15;
+  options.numberOfSteps = 20;
+  return options;
+}
+
+SurfaceMesh wrap(const SurfaceMesh& target, const ShrinkWrapOptions& options)
+{
+  const ShrinkWrapProblem problem = prepareShrinkWrap(target, options);
+  SurfaceFlow flow(problem.start, problem.field, problem.flow);
+  while (!flow.isFinished())
+  {
+    flow.step();
+  }
+  EXPECT_EQ(flow.stopReason(), "");
+  return flow.mesh();
+}
+
+SurfaceMesh transformed(SurfaceMesh mesh, double scale, const Vec3& shift)
+{
+  for (Vec3& point : mesh.points)
+  {
+    point = scale * point + shift;
+  }
+  return mesh;
+}
+
+double meanRadius(const SurfaceMesh& mesh)
+{
+  double sum = 0.0;
+  for (const Vec3& point : mesh.points)
+  {
+    sum += point.norm();
+  }
+  return sum / mesh.vertexCount();
+}
+
+TEST(ShrinkWrap, WrapsASphere)
+{
+  const SurfaceMesh sphere = icosphere(4);
+  const SurfaceMesh result = wrap(sphere, coarse());
+  const SurfaceReport report = examine(result, sphere, 0.0);
+  EXPECT_TRUE(report.isClosed);
+  EXPECT_TRUE(report.isManifold);
+  EXPECT_EQ(report.genus, 0);
+  EXPECT_EQ(report.selfIntersections, 0);
+  EXPECT_GT(report.minAngle, 25.0);
+  EXPECT_LT(report.maxDistance, 0.01);
+  EXPECT_GT(signedVolume(result), 0.0);
+}
+
+TEST(ShrinkWrap, EdgesHaveTheLengthAskedFor)
+{
+  const SurfaceMesh result = wrap(icosphere(4), coarse());
+  EXPECT_NEAR(meanEdgeLength(result), coarse().targetEdgeLength, 0.1 * coarse().targetEdgeLength);
+}
+
+TEST(ShrinkWrap, DefaultEdgeLengthGivesNineThousandVertices)
+{
+  ShrinkWrapOptions options = coarse();
+  options.targetEdgeLength = 0.0;
+  const ShrinkWrapProblem problem = prepareShrinkWrap(icosphere(4), options);
+  EXPECT_NEAR(problem.start.vertexCount(), 9000, 1500);
+  // Equilateral triangles of edge 1 have two triangles, so one vertex, per sqrt(3) / 2 of area.
+  EXPECT_NEAR(defaultEdgeLength(9000.0 * std::sqrt(3.0) / 2.0), 1.0, 1e-12);
+}
+
+TEST(ShrinkWrap, OffsetDistanceIsKept)
+{
+  ShrinkWrapOptions options = coarse();
+  options.offsetDistance = 0.2;
+  const SurfaceMesh sphere = icosphere(4);
+  const SurfaceMesh result = wrap(sphere, options);
+  EXPECT_NEAR(meanRadius(result), 1.2, 0.005);
+  EXPECT_LT(examine(result, sphere, 0.2).maxDistance, 0.02);
+}
+
+TEST(ShrinkWrap, GapSizeClosesANotch)
+{
+  // Two boxes 0.3 apart: one surface each, and one surface when gaps below 0.5 close.
+  const SurfaceMesh left = subdividedBox(4, Vec3::Constant(0.5), Vec3(-0.65, 0.0, 0.0));
+  SurfaceMesh both = left;
+  const SurfaceMesh right = subdividedBox(4, Vec3::Constant(0.5), Vec3(0.65, 0.0, 0.0));
+  for (Index face = 0; face < right.faceCount(); ++face)
+  {
+    std::vector<Index> corners;
+    for (Index k = 0; k < right.faceSize(face); ++k)
+    {
+      corners.push_back(left.vertexCount() + right.faceVertex(face, k));
+    }
+    both.addFace(corners);
+  }
+  both.points.insert(both.points.end(), right.points.begin(), right.points.end());
+  SurfaceMesh triangles;
+  triangles.points = both.points;
+  for (Index face = 0; face < both.faceCount(); ++face)
+  {
+    triangles.addFace(
+      { both.faceVertex(face, 0), both.faceVertex(face, 1), both.faceVertex(face, 2) });
+    triangles.addFace(
+      { both.faceVertex(face, 0), both.faceVertex(face, 2), both.faceVertex(face, 3) });
+  }
+  ShrinkWrapOptions options = coarse();
+  options.targetEdgeLength = 0.08;
+  EXPECT_EQ(summarizeTopology(prepareShrinkWrap(triangles, options).start).components, 2);
+  options.gapSize = 0.5;
+  EXPECT_EQ(summarizeTopology(prepareShrinkWrap(triangles, options).start).components, 1);
+}
+
+TEST(ShrinkWrap, DoesNotDependOnUnitsAndPlace)
+{
+  const SurfaceMesh sphere = icosphere(3);
+  const SurfaceMesh result = wrap(sphere, coarse());
+  ShrinkWrapOptions scaled = coarse();
+  scaled.targetEdgeLength *= 1e4;
+  const Vec3 shift(3e5, -2e5, 1e5);
+  const SurfaceMesh other = wrap(transformed(sphere, 1e4, shift), scaled);
+  ASSERT_EQ(other.vertexCount(), result.vertexCount());
+  double largest = 0.0;
+  for (std::size_t v = 0; v < result.points.size(); ++v)
+  {
+    largest = std::max(largest, ((other.points[v] - shift) / 1e4 - result.points[v]).norm());
+  }
+  EXPECT_LT(largest, 1e-4);
+}
+
+TEST(ShrinkWrap, ASphereStartEnclosesTheTarget)
+{
+  ShrinkWrapOptions options = coarse();
+  options.start = WrapStart::Icosphere;
+  const SurfaceMesh target = icosphere(3, 0.8);
+  const SurfaceMesh result = wrap(target, options);
+  EXPECT_LT(examine(result, target, 0.0).maxDistance, 0.02);
+}
+
+TEST(ShrinkWrap, WrapsPoints)
+{
+  SurfaceMesh points;
+  points.points = icosphere(5).points;
+  const SurfaceMesh result = wrap(points, coarse());
+  const SurfaceReport report = examine(result, points, 0.0);
+  EXPECT_TRUE(report.isClosed);
+  EXPECT_EQ(report.genus, 0);
+  EXPECT_NEAR(meanRadius(result), 1.0, 0.06); // a wall of 0.3 edge lengths around points
+}
+
+TEST(ShrinkWrap, RefusesWhatCannotBeWrapped)
+{
+  EXPECT_THROW(prepareShrinkWrap({}, coarse()), InputError);
+  SurfaceMesh point;
+  point.addPoint(Vec3::Ones());
+  EXPECT_THROW(prepareShrinkWrap(point, coarse()), InputError);
+  SurfaceMesh broken = icosphere(1);
+  broken.points[3].x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(prepareShrinkWrap(broken, coarse()), InputError);
+  ShrinkWrapOptions options = coarse();
+  options.gapSize = -1.0;
+  EXPECT_THROW(prepareShrinkWrap(icosphere(1), options), InputError);
+}
+
+TEST(ShrinkWrap, OptionsCompareByValue)
+{
+  ShrinkWrapOptions changed = coarse();
+  EXPECT_TRUE(changed == coarse());
+  changed.offsetDistance = 1.0;
+  EXPECT_FALSE(changed == coarse());
+}
+
+} // namespace
