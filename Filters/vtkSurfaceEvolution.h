@@ -178,7 +178,7 @@ public:
   ///@{
   /**
    * What the image is: DISTANCE_FIELD (the default), or EDGE_DETECTOR: an intensity I whose edges
-   * attract the surface by v_N = b e Laplace F + a (grad e . N) N, e = 1 / (1 + K |grad I|^2)
+   * attract the surface by v_N = b e Laplace F - a (grad e . N) N, e = 1 / (1 + K |grad I|^2)
    * (section 3.2).
    */
   vtkSetClampMacro(FieldMode, int, DISTANCE_FIELD, EDGE_DETECTOR);

@@ -170,7 +170,8 @@ class SpherePipeline(unittest.TestCase):
         self.assertEqual(even.GetNumberOfPoints(), evolved.GetNumberOfPoints())
 
     def test_redistribution_makes_co_volumes_even(self):
-        by_volume = pv.TangentialRedistribution(Input=self.evolution, AngleRedistribution=0.0)
+        by_volume = pv.TangentialRedistribution(
+            Input=self.evolution, VolumeRedistribution=1.0, AngleRedistribution=0.0)
         before = relative_spread(point_array(data(self.evolution, time=END), "CoVolume"))
         after = relative_spread(point_array(data(by_volume, time=END), "CoVolume"))
         self.assertLess(after, 0.85 * before)

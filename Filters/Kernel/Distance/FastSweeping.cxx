@@ -57,6 +57,27 @@ void smallerNeighbours(
   smaller(row(j, k - 1), row(j, k + 1), alongZ);
 }
 
+/// Does the upwind equation have a solution below a distance? The test of a sample that has its
+/// value already, without roots; changes below 1e-5 of a cell, the rounding of large distances,
+/// are left.
+bool canImprove(float distance, float x, float y, float z)
+{
+  constexpr float OneAndRounding = 1.00002F;
+  const float overX = std::max(distance - x, 0.0F);
+  const float overY = std::max(distance - y, 0.0F);
+  const float overZ = std::max(distance - z, 0.0F);
+  return overX * overX + overY * overY + overZ * overZ > OneAndRounding;
+}
+
+/// The solution for neighbours in any order.
+float upwindSolution(float x, float y, float z)
+{
+  const float smallXY = std::min(x, y);
+  const float largeXY = std::max(x, y);
+  return godunovSolution(
+    std::min(smallXY, z), std::max(smallXY, std::min(largeXY, z)), std::max(largeXY, z));
+}
+
 void sweepRow(SweptField& field, int j, int k, bool xUp)
 {
   const int width = field.dimensions[0];
@@ -72,19 +93,14 @@ void sweepRow(SweptField& field, int j, int k, bool xUp)
   float behind = Unreached; // the sample just left
   for (int i = xUp ? 0 : width - 1; i >= 0 && i < width; i += step)
   {
-    if (!frozen[i])
+    const int next = i + step;
+    const float ahead = next >= 0 && next < width ? distance[next] : Unreached;
+    const float x = std::min(behind, ahead);
+    const float y = alongY[static_cast<std::size_t>(i)];
+    const float z = alongZ[static_cast<std::size_t>(i)];
+    if (canImprove(distance[i], x, y, z) && !frozen[i])
     {
-      const int next = i + step;
-      const float ahead = next >= 0 && next < width ? distance[next] : Unreached;
-      const float x = std::min(behind, ahead);
-      const float y = alongY[static_cast<std::size_t>(i)];
-      const float z = alongZ[static_cast<std::size_t>(i)];
-      const float smallXY = std::min(x, y);
-      const float largeXY = std::max(x, y);
-      const float smallest = std::min(smallXY, z);
-      const float middle = std::max(smallXY, std::min(largeXY, z));
-      const float largest = std::max(largeXY, z);
-      distance[i] = std::min(distance[i], godunovSolution(smallest, middle, largest));
+      distance[i] = std::min(distance[i], upwindSolution(x, y, z));
     }
     behind = distance[i];
   }

@@ -111,7 +111,7 @@ ControlValues ControlField::evaluate(const std::vector<Vec3>& points,
       if (o.fieldMode == FieldMode::EdgeDetector)
       {
         values.epsilon[at(i)] = std::max(0.0, o.curvatureSpeed * value);
-        values.eta[at(i)] = o.advectionSpeed * gradient.dot(normals[at(i)]);
+        values.eta[at(i)] = -o.advectionSpeed * gradient.dot(normals[at(i)]);
       }
       else
       {

@@ -48,7 +48,9 @@ struct ControlValues
  *
  * Distance field: (3.7) and (3.8); where the gradient is shorter than 1e-6, -grad d . N = 0. An
  * unsigned field has D = 0 within two cells of the target, where its gradient turns round.
- * Edge detector: epsilon = b e, eta = a grad e . N. No field: epsilon = C1, eta = 0.
+ * Edge detector: epsilon = b e, eta = -a grad e . N: e is smallest at an edge, so this sign draws
+ * the surface there; section 3.2 prints the other one, which drives it away (measured).
+ * No field: epsilon = C1, eta = 0.
  */
 class ControlField
 {

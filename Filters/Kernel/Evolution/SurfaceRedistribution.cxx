@@ -24,6 +24,8 @@ namespace
 
 /// Elements may lose angle as long as their smallest one stays above this, in degrees.
 constexpr double GoodAngle = 20.0;
+/// Meshes better than this may lose some of it: a quad mesh of rectangles could not move else.
+constexpr double ExcellentAngle = 40.0;
 /// Moves are halved this often before they are given up.
 constexpr int MostHalvings = 5;
 /// psi moves points that are projected afterwards: a rough solution does.
@@ -62,7 +64,7 @@ double guardedAngle(
   const SurfaceMesh& surface, const RedistributionOptions& rates, const Execution& execution)
 {
   const double smallest = rates.angle > 0.0 ? smallestCornerAngle(surface, execution) : 0.0;
-  return std::max(GoodAngle, smallest * (1.0 - 1e-12)); // rounding is no loss
+  return std::max(GoodAngle, std::min(ExcellentAngle, smallest) * (1.0 - 1e-12)); // not by rounding
 }
 
 /// A surface whose points move along it.

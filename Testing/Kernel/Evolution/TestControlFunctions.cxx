@@ -120,7 +120,7 @@ TEST(ControlField, EvaluatesTheEdgeDetectorFlow)
   const ControlField field(e, options); // K = 0: the image is e
   const ControlValues values = evaluateAt(field, Vec3(0.3, 0.1, 0), Vec3::UnitY());
   EXPECT_NEAR(values.epsilon[0], 2.0 * 0.51, 1e-6);
-  EXPECT_NEAR(values.eta[0], 3.0 * -0.2, 1e-5);
+  EXPECT_NEAR(values.eta[0], -3.0 * -0.2, 1e-5);
 }
 
 TEST(EdgeDetector, IsSmallAtEdges)

@@ -392,7 +392,7 @@ TEST(SurfaceFlow, EndsWhenNothingMovesAnyMore)
   EXPECT_LT(smoothed.record().area, areaWhenConverged);
 }
 
-TEST(SurfaceFlow, TheEdgeOfABallInAnImageHoldsASurfaceOutsideIt)
+TEST(SurfaceFlow, TheEdgeOfABallInAnImageAttractsASurface)
 {
   const auto ball = shapes::image(shapes::cubicGrid(61, 1.5),
     [](const Vec3& p) { return 1.0 / (1.0 + std::exp((p.norm() - 0.6) / 0.05)); });
@@ -404,18 +404,20 @@ TEST(SurfaceFlow, TheEdgeOfABallInAnImageHoldsASurfaceOutsideIt)
   options.advectionSpeed = 0.05;
   options.timeStep = 0.05;
   options.numberOfSteps = 150;
-  const auto radiusAtTheEnd = [&]()
+  const auto radiusAtTheEnd = [&](double start)
   {
-    SurfaceFlow flow(icosphere(2), ball, options);
+    SurfaceFlow flow(icosphere(2, start), ball, options);
     run(flow);
     EXPECT_EQ(flow.stopReason(), "");
     EXPECT_LT(largestRadialError(flow.mesh(), flow.mesh().points[0].norm()), 0.02);
     return flow.mesh().points[0].norm();
   };
-  // -2 b e / r + a de/dr = 0 at r = 0.835; the foot of an edge around r = 0.6.
-  EXPECT_NEAR(radiusAtTheEnd(), 0.835, 0.03);
+  // -2 b e / r - a de/dr = 0 at r = 0.5913, just inside the edge at 0.6.
+  EXPECT_NEAR(radiusAtTheEnd(1.0), 0.5913, 0.015);
+  options.curvatureSpeed = 0.0005;
+  EXPECT_NEAR(radiusAtTheEnd(0.45), 0.6, 0.015); // from inside as well
   options.advectionSpeed = 0.0;
-  EXPECT_LT(radiusAtTheEnd(), 0.75);
+  EXPECT_LT(radiusAtTheEnd(0.45), 0.45);
 }
 
 TEST(SurfaceFlow, EverythingIsAvailableForTheStart)

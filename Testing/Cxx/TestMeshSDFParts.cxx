@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// vtkMeshSDF: parts of the grid, and threads, change nothing.
+
+#include "DataChecks.h"
+#include "SampleSurfaces.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkMeshSDF.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace
+{
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+//------------------------------------------------------------------------------
+vtkInformation* InformationOf(vtkMeshSDF* filter)
+{
+  filter->UpdateInformation();
+  return filter->GetOutputInformation(0);
+}
+
+//------------------------------------------------------------------------------
+struct PartCase
+{
+  int Method;
+  int Sign;
+  double Sigma;
+  double Tolerance; ///< in cells
+};
+
+class MeshSDFParts : public testing::TestWithParam<PartCase>
+{
+protected:
+  /// A fresh filter: VTK answers a smaller extent after a larger one from the old data.
+  vtkSmartPointer<vtkImageData> Part(int extent[6])
+  {
+    vtkNew<vtkMeshSDF> filter;
+    filter->SetInputData(Sample::Read("bunny.ply"));
+    filter->SetSampleDimensions(33, 30, 28);
+    filter->SetMethod(GetParam().Method);
+    filter->SetSign(GetParam().Sign);
+    filter->SetSmoothingSigma(GetParam().Sigma);
+    EXPECT_TRUE(InformationOf(filter)->Has(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT()));
+    filter->UpdateExtent(extent);
+    return filter->GetOutput();
+  }
+};
+
+TEST_P(MeshSDFParts, EqualTheWhole)
+{
+  int everything[6] = { 0, 32, 0, 29, 0, 27 };
+  const auto whole = this->Part(everything);
+  const double tolerance = GetParam().Tolerance * whole->GetSpacing()[0];
+  // Halves, one sample, and a corner with no surface in it.
+  int parts[4][6] = { { 0, 16, 0, 29, 0, 27 }, { 17, 32, 0, 29, 0, 27 }, { 9, 9, 20, 20, 3, 3 },
+    { 28, 32, 24, 29, 0, 5 } };
+  for (auto& extent : parts)
+  {
+    const auto part = this->Part(extent);
+    int actual[6];
+    part->GetExtent(actual);
+    ASSERT_TRUE(std::equal(extent, extent + 6, actual));
+    ASSERT_TRUE(std::equal(part->GetOrigin(), part->GetOrigin() + 3, whole->GetOrigin()));
+    for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      part->GetPoint(i, p);
+      const double expected = whole->GetPointData()->GetScalars()->GetTuple1(whole->FindPoint(p));
+      ASSERT_NEAR(part->GetPointData()->GetScalars()->GetTuple1(i), expected, tolerance);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(MethodsAndSigns, MeshSDFParts,
+  testing::Values(PartCase{ vtkMeshSDF::BRUTE_FORCE, vtkMeshSDF::AUTOMATIC, 0.0, 0.0 },
+    PartCase{ vtkMeshSDF::BRUTE_FORCE, vtkMeshSDF::WINDING_NUMBER, 0.0, 0.0 },
+    PartCase{ vtkMeshSDF::BRUTE_FORCE, vtkMeshSDF::AUTOMATIC, 1.0, 1e-5 },
+    PartCase{ vtkMeshSDF::CLOSEST_POINT, vtkMeshSDF::PSEUDONORMAL, 0.0, 0.1 },
+    PartCase{ vtkMeshSDF::CLOSEST_POINT, vtkMeshSDF::UNSIGNED, 0.0, 0.1 },
+    PartCase{ vtkMeshSDF::CLOSEST_POINT, vtkMeshSDF::FLOOD_FILL, 0.0, 0.0 },
+    PartCase{ vtkMeshSDF::FAST_SWEEPING, vtkMeshSDF::AUTOMATIC, 0.0, 0.0 }));
+
+//------------------------------------------------------------------------------
+/// The environment variable as it was before, when the test ends.
+class ChosenBackend
+{
+public:
+  explicit ChosenBackend(const char* name) { setenv(Variable, name, 1); }
+  ~ChosenBackend() { unsetenv(Variable); }
+
+private:
+  static constexpr const char* Variable = "VTK_SMP_BACKEND_IN_USE";
+};
+
+//------------------------------------------------------------------------------
+TEST(MeshSDFThreads, BitsDoNotDependOnThreads)
+{
+  const auto surface = Sample::Read("bunny.ply");
+  const auto withThreads = [&](const char* backend, int threads)
+  {
+    const ChosenBackend chosen(backend);
+    vtkNew<vtkMeshSDF> filter;
+    filter->SetInputData(surface);
+    filter->SetSampleDimensions(40, 40, 40);
+    filter->ComputeGradientOn();
+    vtkSMPTools::LocalScope(
+      vtkSMPTools::Config{ threads, backend, false }, [&]() { filter->Update(); });
+    vtkSmartPointer<vtkImageData> image = filter->GetOutput();
+    return image;
+  };
+  const auto serial = withThreads("Sequential", 0);
+  for (const int threads : { 1, 2, 5 })
+  {
+    const auto parallel = withThreads("STDThread", threads);
+    EXPECT_TRUE(SameImage(serial, parallel)) << threads << " threads";
+    EXPECT_TRUE(SameBits(serial->GetPointData()->GetArray("Gradient"),
+      parallel->GetPointData()->GetArray("Gradient")));
+  }
+}
+
+} // namespace

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// vtkShrinkWrap: its steps, its history, and what it refuses.
+
+#include "DataChecks.h"
+#include "EventLog.h"
+#include "SampleSurfaces.h"
+#include "SurfaceMeasures.h"
+
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkShrinkWrap.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace
+{
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+//------------------------------------------------------------------------------
+/// Coarse enough for a test: a tenth of a second or so.
+void SetUpCoarsely(vtkShrinkWrap* filter, vtkPolyData* input)
+{
+  filter->SetInputData(input);
+  filter->SetSampleDimensions(40, 40, 40);
+  filter->SetTargetEdgeLength(std::sqrt(AreaOf(input) / 900.0));
+  filter->SetNumberOfSteps(30);
+}
+
+//------------------------------------------------------------------------------
+/// Is it what its field data say, and is that a closed oriented 2-manifold of this genus?
+void ExpectClosed(vtkPolyData* surface, int genus)
+{
+  EXPECT_EQ(FieldValue(surface, "IsClosed"), 1.0);
+  EXPECT_EQ(FieldValue(surface, "IsManifold"), 1.0);
+  EXPECT_EQ(FieldValue(surface, "Genus"), genus);
+  EXPECT_EQ(CountBadEdges(surface), 0);
+  EXPECT_EQ(EulerCharacteristic(surface), 2 - 2 * genus);
+  EXPECT_GT(VolumeOf(surface), 0.0);
+  EXPECT_TRUE(IsFinite(surface));
+}
+
+//------------------------------------------------------------------------------
+TEST(ShrinkWrapSteps, TheResultAlonePublishesNoTime)
+{
+  vtkNew<vtkShrinkWrap> filter;
+  SetUpCoarsely(filter, Sample::Icosphere(2));
+  filter->UpdateInformation();
+  EXPECT_FALSE(filter->GetOutputInformation(0)->Has(Pipeline::TIME_STEPS()));
+  EXPECT_FALSE(filter->GetOutputInformation(1)->Has(Pipeline::TIME_STEPS()));
+  filter->UpdateTimeStep(0.0);
+  EXPECT_EQ(FieldValue(filter->GetOutput(), "Iteration"), 30.0);
+  EXPECT_FALSE(filter->GetOutput()->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()));
+}
+
+//------------------------------------------------------------------------------
+TEST(ShrinkWrapSteps, OutputStepsPublishTheSeriesOfOneSolve)
+{
+  vtkNew<vtkShrinkWrap> filter;
+  SetUpCoarsely(filter, Sample::Icosphere(2));
+  filter->OutputStepsOn();
+  filter->UpdateInformation();
+  vtkInformation* info = filter->GetOutputInformation(0);
+  ASSERT_EQ(info->Length(Pipeline::TIME_STEPS()), 31);
+  EXPECT_FALSE(filter->GetOutputInformation(1)->Has(Pipeline::TIME_STEPS()));
+  const std::vector<double> times(
+    info->Get(Pipeline::TIME_STEPS()), info->Get(Pipeline::TIME_STEPS()) + 31);
+  EXPECT_EQ(times.front(), 0.0);
+  EXPECT_TRUE(std::is_sorted(times.begin(), times.end()));
+  filter->UpdateTimeStep(times[0]);
+  const double start = DistanceFromOrigin(filter->GetOutput()).Largest;
+  EXPECT_EQ(FieldValue(filter->GetOutput(), "Iteration"), 0.0);
+  filter->UpdateTimeStep(times[30]);
+  EXPECT_LT(DistanceFromOrigin(filter->GetOutput()).Largest, start);
+  ExpectClosed(filter->GetOutput(), 0);
+  filter->UpdateTimeStep(times[12]);
+  EXPECT_EQ(FieldValue(filter->GetOutput(), "Iteration"), 12.0);
+  EXPECT_EQ(filter->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), times[12]);
+  filter->OutputStepsOff();
+  filter->Update();
+  EXPECT_EQ(FieldValue(filter->GetOutput(), "Iteration"), 30.0);
+  EXPECT_EQ(filter->GetNumberOfSolves(), 1);
+}
+
+//------------------------------------------------------------------------------
+TEST(ShrinkWrapSteps, HistoryTellsOfTheWay)
+{
+  vtkNew<vtkShrinkWrap> filter;
+  SetUpCoarsely(filter, Sample::Icosphere(2));
+  filter->Update();
+  auto* history = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
+  ASSERT_EQ(history->GetNumberOfRows(), 31);
+  EXPECT_LT(history->GetValueByName(30, "MeanDistance").ToDouble(),
+    0.2 * history->GetValueByName(0, "MeanDistance").ToDouble());
+}
+
+//------------------------------------------------------------------------------
+TEST(ShrinkWrapSteps, WhatIsNotSupportedIsRefused)
+{
+  for (const bool adapts : { true, false })
+  {
+    vtkNew<vtkShrinkWrap> filter;
+    EventLog log(filter);
+    SetUpCoarsely(filter, Sample::Icosphere(1));
+    filter->SetAdaptToCurvature(adapts);
+    filter->SetPreserveFeatures(!adapts);
+    filter->Update();
+    ASSERT_EQ(log.Errors.size(), 1u);
+    EXPECT_TRUE(IsOneSentence(log.Errors.front()));
+    EXPECT_EQ(log.Errors.front().find(adapts ? "AdaptToCurvature" : "PreserveFeatures"), 0u);
+    EXPECT_TRUE(IsInitialized(filter->GetOutput()));
+  }
+}
+
+} // namespace

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// vtkSurfaceEvolution: runs that end before their last step.
+
+#include "DataChecks.h"
+#include "EventLog.h"
+#include "SampleSurfaces.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSurfaceEvolution.h"
+#include "vtkTable.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using Names = std::vector<std::string>;
+
+//------------------------------------------------------------------------------
+/// Mean curvature flow of speed 1 in the input's units.
+void SetUpCurvatureFlow(vtkSurfaceEvolution* filter, vtkPolyData* start, double timeStep, int steps)
+{
+  filter->SetInputData(start);
+  filter->RelativeUnitsOff();
+  filter->SetCurvatureSpeed(1.0);
+  filter->SetTimeStep(timeStep);
+  filter->SetNumberOfSteps(steps);
+}
+
+//------------------------------------------------------------------------------
+/// From a sphere of radius 1.5 onto one of radius 1 in an image.
+void SetUpAttraction(vtkSurfaceEvolution* filter, vtkPolyData* start)
+{
+  filter->SetInputData(0, start);
+  filter->SetInputData(1, Sample::SphereImage(33, 2.0, 1.0));
+  filter->SetTimeStep(0.1);
+  filter->SetNumberOfSteps(40);
+  filter->SetCurvatureSpeed(0.01);
+}
+
+//------------------------------------------------------------------------------
+vtkTable* HistoryOf(vtkSurfaceEvolution* filter)
+{
+  return vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
+}
+
+//------------------------------------------------------------------------------
+TEST(SurfaceEvolutionEnd, ASolveThatCannotGoOnKeepsWhatWasReached)
+{
+  // The sphere is a point at t = 0.25.
+  vtkNew<vtkSurfaceEvolution> filter;
+  EventLog log(filter);
+  SetUpCurvatureFlow(filter, Sample::Icosphere(2), 0.02, 30);
+  filter->Update();
+  ASSERT_EQ(log.Errors.size(), 1u);
+  EXPECT_TRUE(IsOneSentence(log.Errors.front()));
+  vtkPolyData* output = filter->GetOutput();
+  const double stopped = FieldValue(output, "Stopped");
+  EXPECT_GT(stopped, 5.0);
+  EXPECT_LT(stopped, 29.0);
+  EXPECT_EQ(FieldValue(output, "Iteration"), stopped);
+  EXPECT_EQ(output->GetNumberOfPoints(), 162);
+  EXPECT_TRUE(IsFinite(output));
+  EXPECT_EQ(HistoryOf(filter)->GetNumberOfRows(), static_cast<vtkIdType>(stopped) + 1);
+  // An earlier step is as it was, a later one repeats the last; nobody is told again.
+  filter->UpdateTimeStep(0.04);
+  EXPECT_EQ(FieldValue(filter->GetOutput(), "Iteration"), 2.0);
+  filter->UpdateTimeStep(0.6);
+  EXPECT_EQ(FieldValue(filter->GetOutput(), "Iteration"), stopped);
+  EXPECT_EQ(log.Errors.size(), 1u);
+  EXPECT_EQ(filter->GetNumberOfSolves(), 1);
+}
+
+//------------------------------------------------------------------------------
+TEST(SurfaceEvolutionEnd, ConvergenceEndsTheRunButNotTheTimes)
+{
+  vtkNew<vtkSurfaceEvolution> filter;
+  EventLog log(filter);
+  SetUpAttraction(filter, Sample::Icosphere(2, 1.5));
+  filter->SetNumberOfSteps(500);
+  filter->SetConvergenceTolerance(1e-3);
+  filter->UpdateTimeStep(50.0);
+  EXPECT_TRUE(log.Errors.empty());
+  const vtkIdType rows = HistoryOf(filter)->GetNumberOfRows();
+  EXPECT_LT(rows, 200);
+  EXPECT_EQ(FieldValue(filter->GetOutput(), "Iteration"), static_cast<double>(rows) - 1.0);
+  EXPECT_LT(FieldValue(filter->GetOutput(), "MaxDistance"), 0.02);
+}
+
+} // namespace

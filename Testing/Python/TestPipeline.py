@@ -1,0 +1,203 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The filters as scripts use them: in pipelines, with NumPy, step by step."""
+
+import unittest
+
+import evolvingsurfaces as es
+import numpy as np
+from vtkmodules.numpy_interface import dataset_adapter
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
+
+
+def icosphere(level=3, radius=1.0):
+    source = es.vtkIcosphereSource()
+    source.SetLevel(level)
+    source.SetRadius(radius)
+    source.Update()
+    return source.GetOutput()
+
+
+def radii(surface):
+    return np.linalg.norm(vtk_to_numpy(surface.GetPoints().GetData()), axis=1)
+
+
+def field_value(data, name):
+    return data.GetFieldData().GetArray(name).GetValue(0)
+
+
+def sphere_field(n=33, size=2.0):
+    """An image made with NumPy: the distance to the unit sphere."""
+    axis = np.linspace(-size, size, n)
+    z, y, x = np.meshgrid(axis, axis, axis, indexing="ij")
+    distance = np.sqrt(x * x + y * y + z * z) - 1.0
+    image = vtkImageData()
+    image.SetDimensions(n, n, n)
+    image.SetOrigin(-size, -size, -size)
+    image.SetSpacing(3 * (axis[1] - axis[0],))
+    image.GetPointData().SetScalars(numpy_to_vtk(distance.ravel(), deep=True))
+    return image
+
+
+class NumPy(unittest.TestCase):
+    def test_the_distance_is_an_array_of_the_grids_shape(self):
+        sdf = es.vtkMeshSDF()
+        sdf.SetInputData(icosphere(4))
+        sdf.SetSampleDimensions(20, 24, 28)
+        sdf.Update()
+        image = sdf.GetOutput()
+        distance = vtk_to_numpy(image.GetPointData().GetScalars())
+        self.assertEqual(distance.dtype, np.float32)
+        distance = distance.reshape(28, 24, 20)
+        axes = [o + h * np.arange(n) for o, h, n in
+                zip(image.GetOrigin(), image.GetSpacing(), image.GetDimensions())]
+        z, y, x = np.meshgrid(axes[2], axes[1], axes[0], indexing="ij")
+        exact = np.sqrt(x * x + y * y + z * z) - 1.0
+        self.assertLess(np.abs(distance - exact).max(), 0.01)
+
+    def test_a_field_made_with_numpy_attracts(self):
+        evolution = es.vtkSurfaceEvolution()
+        evolution.SetInputData(0, icosphere(3, 1.5))
+        evolution.SetInputData(1, sphere_field())
+        evolution.SetTimeStep(0.1)
+        evolution.SetNumberOfSteps(40)
+        evolution.SetCurvatureSpeed(0.01)
+        evolution.Update()
+        self.assertLess(np.abs(radii(evolution.GetOutput()) - 1.0).max(), 0.02)
+
+    def test_points_made_with_numpy_are_a_point_set(self):
+        generator = np.random.default_rng(7)
+        cloud = generator.normal(size=(500, 3))
+        cloud /= np.linalg.norm(cloud, axis=1)[:, None]
+        points = vtkPoints()
+        points.SetData(numpy_to_vtk(cloud, deep=True))
+        mesh = vtkPolyData()
+        mesh.SetPoints(points)
+        sdf = es.vtkMeshSDF()
+        sdf.SetInputData(mesh)
+        sdf.SetSampleDimensions(9, 9, 9)
+        sdf.SetMethodToBruteForce()
+        sdf.Update()
+        image = sdf.GetOutput()
+        samples = np.array([image.GetPoint(i) for i in range(image.GetNumberOfPoints())])
+        exact = np.linalg.norm(samples[:, None, :] - cloud[None, :, :], axis=2).min(axis=1)
+        found = vtk_to_numpy(image.GetPointData().GetScalars())
+        self.assertLess(np.abs(found - exact).max(), 1e-6)
+        self.assertEqual(field_value(image, "SignMethod"), es.vtkMeshSDF.UNSIGNED)
+
+    def test_the_adapter_of_vtk_reads_arrays_and_history(self):
+        evolution = es.vtkSurfaceEvolution()
+        evolution.SetInputData(icosphere(2))
+        evolution.SetNumberOfSteps(5)
+        evolution.Update()
+        surface = dataset_adapter.WrapDataObject(evolution.GetOutput())
+        self.assertEqual(surface.PointData["Normals"].shape, (162, 3))
+        area = float(np.sum(surface.PointData["CoVolume"]))
+        self.assertAlmostEqual(area, field_value(evolution.GetOutput(), "Area"), places=9)
+        history = dataset_adapter.WrapDataObject(evolution.GetOutputDataObject(1))
+        self.assertEqual(len(history.RowData["Area"]), 6)
+        self.assertTrue(np.all(np.diff(history.RowData["Area"]) < 0.0))
+
+
+class Steps(unittest.TestCase):
+    def setUp(self):
+        self.evolution = es.vtkSurfaceEvolution()
+        self.evolution.SetInputData(icosphere(2))
+        self.evolution.SetTimeStep(0.01)
+        self.evolution.SetNumberOfSteps(6)
+        self.evolution.SetOutputInterval(2)
+        self.evolution.RelativeUnitsOff()
+        self.evolution.SetCurvatureSpeed(1.0)
+
+    def test_times_are_known_beforehand(self):
+        self.evolution.UpdateInformation()
+        times = self.evolution.GetOutputInformation(0).Get(
+            vtkStreamingDemandDrivenPipeline.TIME_STEPS())
+        self.assertEqual(times, (0.0, 0.02, 0.04, 0.06))
+
+    def test_each_time_is_its_state_and_all_are_one_solve(self):
+        for time in (0.06, 0.0, 0.04):
+            self.evolution.UpdateTimeStep(time)
+            exact = np.sqrt(1.0 - 4.0 * time)
+            self.assertLess(np.abs(radii(self.evolution.GetOutput()) - exact).max(), 0.02)
+        self.assertEqual(self.evolution.GetNumberOfSolves(), 1)
+
+    def test_a_kept_output_does_not_change(self):
+        self.evolution.UpdateTimeStep(0.0)
+        first = vtkPolyData()
+        first.ShallowCopy(self.evolution.GetOutput())
+        self.evolution.UpdateTimeStep(0.06)
+        self.assertAlmostEqual(radii(first).max(), 1.0, places=6)
+
+
+class Pipelines(unittest.TestCase):
+    def test_from_a_distance_to_an_even_surface(self):
+        sdf = es.vtkMeshSDF()
+        sdf.SetInputData(icosphere())
+        sdf.SetSampleDimensions(32, 32, 32)
+        start = vtkFlyingEdges3D()
+        start.SetInputConnection(sdf.GetOutputPort())
+        start.SetValue(0, 0.15)
+        evolution = es.vtkSurfaceEvolution()
+        evolution.SetInputConnection(0, start.GetOutputPort())
+        evolution.SetDistanceFieldConnection(sdf.GetOutputPort())
+        evolution.SetTimeStep(0.1)
+        evolution.SetNumberOfSteps(40)
+        evolution.SetCurvatureSpeed(0.001)
+        even = es.vtkTangentialRedistribution()
+        even.SetInputConnection(evolution.GetOutputPort())
+        even.SetNumberOfSteps(10)
+        even.Update()
+        self.assertLess(np.abs(radii(even.GetOutput()) - 1.0).max(), 0.02)
+        self.assertEqual(even.GetOutput().GetNumberOfPolys(),
+                         evolution.GetOutput().GetNumberOfPolys())
+
+    def test_one_filter_does_it_all(self):
+        wrap = es.vtkShrinkWrap()
+        wrap.SetInputData(icosphere())
+        wrap.SetSampleDimensions(32, 32, 32)
+        wrap.SetTargetEdgeLength(0.2)
+        wrap.SetNumberOfSteps(30)
+        wrap.Update()
+        surface = wrap.GetOutput()
+        self.assertEqual(field_value(surface, "IsClosed"), 1)
+        self.assertEqual(field_value(surface, "Genus"), 0)
+        self.assertLess(np.abs(radii(surface) - 1.0).max(), 0.03)
+
+    def test_boxes_can_be_looked_at(self):
+        boxes = es.vtkDistanceHierarchy()
+        boxes.SetInputData(icosphere())
+        boxes.Update()
+        self.assertEqual(boxes.GetOutput().GetNumberOfPolys() % 6, 0)
+        level = vtk_to_numpy(boxes.GetOutput().GetCellData().GetArray("Level"))
+        self.assertGreater(level.max(), 5)
+
+
+class Errors(unittest.TestCase):
+    def test_an_error_is_an_event_with_a_sentence(self):
+        messages = []
+
+        def remember(_, __, message):
+            messages.append(message)
+
+        remember.CallDataType = "string0"
+        sheet = vtkPolyData()
+        points = vtkPoints()
+        points.InsertNextPoint(0.0, 0.0, 0.0)
+        sheet.SetPoints(points)
+        evolution = es.vtkSurfaceEvolution()
+        evolution.AddObserver("ErrorEvent", remember)
+        evolution.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+        evolution.SetInputData(sheet)
+        evolution.Update()
+        self.assertEqual(len(messages), 1)
+        self.assertIn("no polygons", messages[0])
+        self.assertEqual(evolution.GetOutput().GetNumberOfPoints(), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,41 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs an example without arguments in an empty folder; what it writes must be there to read.
+
+    run_example.py SCRIPT
+"""
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from vtkmodules.vtkIOXML import vtkXMLGenericDataObjectReader
+
+
+def check(path):
+    """A written file has content, and VTK reads points from one in its own format."""
+    if path.stat().st_size == 0:
+        return f"{path.name} is empty"
+    if path.suffix in (".vtp", ".vti"):
+        reader = vtkXMLGenericDataObjectReader()
+        reader.SetFileName(str(path))
+        reader.Update()
+        if reader.GetOutput() is None or reader.GetOutput().GetNumberOfPoints() == 0:
+            return f"{path.name} has no points"
+    return None
+
+
+def main(script):
+    with tempfile.TemporaryDirectory() as folder:
+        run = subprocess.run([sys.executable, str(Path(script).resolve())], cwd=folder)
+        if run.returncode != 0:
+            sys.exit(f"{script} ended with status {run.returncode}")
+        written = [path for path in Path(folder).rglob("*") if path.is_file()]
+        problems = [problem for problem in map(check, written) if problem]
+        print(f"{script} wrote {[path.name for path in written]}")
+        sys.exit("; ".join(problems) if problems else 0)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
