@@ -3,8 +3,9 @@
 
 /**
  * @file
- * Where VTK meets the kernel: the only file that knows both worlds. Private to the module; it
- * hands the kernel's headers on to the filters.
+ * Where VTK meets the kernel: the only place that knows both worlds (KernelBridge.cxx runs the
+ * kernel, KernelBridgeRead.cxx and KernelBridgeWrite.cxx translate data). Private to the module;
+ * it hands the kernel's headers on to the filters.
  */
 
 #ifndef KernelBridge_h

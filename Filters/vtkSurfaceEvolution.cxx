@@ -169,6 +169,12 @@ int vtkSurfaceEvolution::RequestData(
   {
     return KernelBridge::RefuseUnlessEmpty(this, input);
   }
+  if (this->Remeshing != OFF)
+  {
+    vtkErrorMacro(<< "Remeshing is " << this->Remeshing
+                  << ", but this version supports Off (0) only; call SetRemeshingToOff().");
+    return 0;
+  }
   const evolving::FlowOptions options = this->Options();
   const auto published =
     evolving::publishedIterations(this->NumberOfSteps, this->SmoothingSteps, this->OutputInterval);
@@ -241,6 +247,8 @@ void vtkSurfaceEvolution::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SurfaceGuard: " << this->SurfaceGuard << "\n";
   os << indent << "ConvergenceTolerance: " << this->ConvergenceTolerance << "\n";
   os << indent << "Remeshing: " << this->Remeshing << "\n";
+  os << indent << "TargetEdgeLength: " << this->TargetEdgeLength << "\n";
+  os << indent << "RemeshingInterval: " << this->RemeshingInterval << "\n";
   os << indent << "SolverTolerance: " << this->SolverTolerance << "\n";
   os << indent << "CacheLimit: " << this->CacheLimit << "\n";
   os << indent << "NumberOfSolves: " << this->NumberOfSolves << "\n";

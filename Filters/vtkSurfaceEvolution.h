@@ -99,7 +99,9 @@ public:
   /// Values of Remeshing.
   enum
   {
-    OFF = 0
+    OFF = 0,
+    UNIFORM = 1,
+    CURVATURE_ADAPTIVE = 2
   };
 
   /// The field: a vtkImageData on input port 1.
@@ -312,12 +314,32 @@ public:
 
   ///@{
   /**
-   * Change of the connectivity during the evolution. The default, and in this version the only
-   * value, is OFF.
+   * Change of the connectivity during the evolution. The default is OFF; this version refuses the
+   * other values.
    */
-  vtkSetClampMacro(Remeshing, int, OFF, OFF);
+  vtkSetClampMacro(Remeshing, int, OFF, CURVATURE_ADAPTIVE);
   vtkGetMacro(Remeshing, int);
   void SetRemeshingToOff() { this->SetRemeshing(OFF); }
+  void SetRemeshingToUniform() { this->SetRemeshing(UNIFORM); }
+  void SetRemeshingToCurvatureAdaptive() { this->SetRemeshing(CURVATURE_ADAPTIVE); }
+  ///@}
+
+  ///@{
+  /**
+   * Edge length that remeshing aims at, in length units; 0, the default, is automatic. Used with
+   * Remeshing.
+   */
+  vtkSetClampMacro(TargetEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(TargetEdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Every how many steps remeshing takes place. Used with Remeshing. The default is 1, the range 1
+   * and above.
+   */
+  vtkSetClampMacro(RemeshingInterval, int, 1, 1000000);
+  vtkGetMacro(RemeshingInterval, int);
   ///@}
 
   ///@{
@@ -384,6 +406,8 @@ private:
   double SurfaceGuard = 2.0;
   double ConvergenceTolerance = 0.0;
   int Remeshing = OFF;
+  double TargetEdgeLength = 0.0;
+  int RemeshingInterval = 1;
   double SolverTolerance = 1e-10;
   int CacheLimit = 2048;
   int NumberOfSolves = 0;

@@ -93,6 +93,21 @@ TEST(MeshSDFGrid, UnusableModelBoundsAreRefused)
 }
 
 //------------------------------------------------------------------------------
+TEST(MeshSDFGrid, SweepsNeedCubicCells)
+{
+  vtkNew<vtkMeshSDF> filter;
+  EventLog log(filter);
+  filter->SetInputData(Sample::Icosphere(1));
+  filter->SetSampleDimensions(8, 8, 8);
+  filter->SetModelBounds(-2.0, 2.0, -2.0, 2.0, -1.0, 1.0);
+  filter->SetMethodToFastSweeping();
+  filter->Update();
+  ASSERT_EQ(log.Errors.size(), 1u);
+  EXPECT_TRUE(IsOneSentence(log.Errors.front()));
+  EXPECT_TRUE(IsInitialized(filter->GetOutput()));
+}
+
+//------------------------------------------------------------------------------
 TEST(MeshSDFGrid, CellsAreCubesAroundThePaddedBounds)
 {
   vtkNew<vtkMeshSDF> filter;

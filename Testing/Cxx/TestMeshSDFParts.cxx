@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// vtkMeshSDF: parts of the grid, and threads, change nothing.
+// vtkMeshSDF: parts of the grid are those of the whole.
 
-#include "DataChecks.h"
 #include "SampleSurfaces.h"
 
 #include "vtkDataArray.h"
@@ -13,13 +12,11 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace
 {
@@ -93,43 +90,5 @@ INSTANTIATE_TEST_SUITE_P(MethodsAndSigns, MeshSDFParts,
     PartCase{ vtkMeshSDF::CLOSEST_POINT, vtkMeshSDF::UNSIGNED, 0.0, 0.1 },
     PartCase{ vtkMeshSDF::CLOSEST_POINT, vtkMeshSDF::FLOOD_FILL, 0.0, 0.0 },
     PartCase{ vtkMeshSDF::FAST_SWEEPING, vtkMeshSDF::AUTOMATIC, 0.0, 0.0 }));
-
-//------------------------------------------------------------------------------
-/// The environment variable as it was before, when the test ends.
-class ChosenBackend
-{
-public:
-  explicit ChosenBackend(const char* name) { setenv(Variable, name, 1); }
-  ~ChosenBackend() { unsetenv(Variable); }
-
-private:
-  static constexpr const char* Variable = "VTK_SMP_BACKEND_IN_USE";
-};
-
-//------------------------------------------------------------------------------
-TEST(MeshSDFThreads, BitsDoNotDependOnThreads)
-{
-  const auto surface = Sample::Read("bunny.ply");
-  const auto withThreads = [&](const char* backend, int threads)
-  {
-    const ChosenBackend chosen(backend);
-    vtkNew<vtkMeshSDF> filter;
-    filter->SetInputData(surface);
-    filter->SetSampleDimensions(40, 40, 40);
-    filter->ComputeGradientOn();
-    vtkSMPTools::LocalScope(
-      vtkSMPTools::Config{ threads, backend, false }, [&]() { filter->Update(); });
-    vtkSmartPointer<vtkImageData> image = filter->GetOutput();
-    return image;
-  };
-  const auto serial = withThreads("Sequential", 0);
-  for (const int threads : { 1, 2, 5 })
-  {
-    const auto parallel = withThreads("STDThread", threads);
-    EXPECT_TRUE(SameImage(serial, parallel)) << threads << " threads";
-    EXPECT_TRUE(SameBits(serial->GetPointData()->GetArray("Gradient"),
-      parallel->GetPointData()->GetArray("Gradient")));
-  }
-}
 
 } // namespace

@@ -5,16 +5,11 @@
 
 #include "DataChecks.h"
 #include "EventLog.h"
-#include "SampleSurfaces.h"
-#include "SurfaceMeasures.h"
+#include "LongRuns.h"
 
-#include "vtkDistanceHierarchy.h"
-#include "vtkImageData.h"
-#include "vtkMeshSDF.h"
+#include "vtkAlgorithm.h"
 #include "vtkPolyData.h"
-#include "vtkShrinkWrap.h"
 #include "vtkSurfaceEvolution.h"
-#include "vtkTangentialRedistribution.h"
 
 #include <gtest/gtest.h>
 
@@ -23,67 +18,14 @@
 namespace
 {
 
-using Filter = vtkSmartPointer<vtkAlgorithm>;
-
-//------------------------------------------------------------------------------
-Filter MakeDistance(int method)
-{
-  auto filter = vtkSmartPointer<vtkMeshSDF>::New();
-  filter->SetInputData(Sample::Read("bunny.ply"));
-  filter->SetSampleDimensions(48, 48, 48);
-  filter->SetMethod(method);
-  return filter;
-}
-
-//------------------------------------------------------------------------------
-Filter MakeEvolution()
-{
-  auto filter = vtkSmartPointer<vtkSurfaceEvolution>::New();
-  filter->SetInputData(Sample::Icosphere(2));
-  filter->SetTimeStep(0.01);
-  filter->SetNumberOfSteps(50);
-  filter->SetVolumeRedistribution(1.0);
-  return filter;
-}
-
-//------------------------------------------------------------------------------
-Filter MakeRedistribution()
-{
-  auto filter = vtkSmartPointer<vtkTangentialRedistribution>::New();
-  filter->SetInputData(Sample::Icosphere(3));
-  return filter;
-}
-
-//------------------------------------------------------------------------------
-Filter MakeWrap()
-{
-  auto filter = vtkSmartPointer<vtkShrinkWrap>::New();
-  filter->SetInputData(Sample::Icosphere(2));
-  filter->SetSampleDimensions(24, 24, 24);
-  filter->SetTargetEdgeLength(0.2);
-  filter->SetNumberOfSteps(20);
-  return filter;
-}
-
-//------------------------------------------------------------------------------
-Filter MakeHierarchy()
-{
-  auto filter = vtkSmartPointer<vtkDistanceHierarchy>::New();
-  filter->SetInputData(Sample::Read("bunny.ply"));
-  filter->SetStructureToOctree();
-  return filter;
-}
-
-//------------------------------------------------------------------------------
-using Case = std::pair<const char*, Filter (*)()>;
-
-class LongRun : public testing::TestWithParam<Case>
+class LongRun : public testing::TestWithParam<LongRunCase>
 {
 };
 
+//------------------------------------------------------------------------------
 TEST_P(LongRun, ProgressMovesForwardsFromZeroToOne)
 {
-  const Filter filter = GetParam().second();
+  const auto filter = GetParam().Make();
   EventLog log(filter);
   filter->Update();
   ASSERT_GT(log.Progress.size(), 5u);
@@ -102,7 +44,7 @@ TEST_P(LongRun, AnAbortEndsAtOnceWithEmptyOutput)
 {
   for (const double when : { 0.01, 0.5 })
   {
-    const Filter filter = GetParam().second();
+    const auto filter = GetParam().Make();
     EventLog log(filter);
     std::size_t seen = 0;
     log.OnProgress = [&](double fraction)
@@ -128,9 +70,9 @@ TEST_P(LongRun, AnAbortEndsAtOnceWithEmptyOutput)
 
 TEST_P(LongRun, AfterAnAbortTheFullResultIsThere)
 {
-  const Filter undisturbed = GetParam().second();
+  const auto undisturbed = GetParam().Make();
   undisturbed->Update();
-  const Filter filter = GetParam().second();
+  const auto filter = GetParam().Make();
   {
     EventLog log(filter);
     log.OnProgress = [&](double fraction)
@@ -144,30 +86,15 @@ TEST_P(LongRun, AfterAnAbortTheFullResultIsThere)
   }
   filter->SetAbortExecute(0);
   filter->Update();
-  if (auto* image = vtkImageData::SafeDownCast(filter->GetOutputDataObject(0)))
-  {
-    EXPECT_TRUE(SameImage(image, vtkImageData::SafeDownCast(undisturbed->GetOutputDataObject(0))));
-    return;
-  }
-  auto* surface = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
-  auto* expected = vtkPolyData::SafeDownCast(undisturbed->GetOutputDataObject(0));
-  ASSERT_GT(surface->GetNumberOfPoints(), 0);
-  EXPECT_TRUE(SameSurface(surface, expected, 0.0));
-  EXPECT_TRUE(SamePointArrays(surface, expected, 0.0));
+  EXPECT_TRUE(SameOutputs(undisturbed, filter));
 }
 
-INSTANTIATE_TEST_SUITE_P(Filters, LongRun,
-  testing::Values(Case{ "ClosestPoint", []() { return MakeDistance(vtkMeshSDF::CLOSEST_POINT); } },
-    Case{ "FastSweeping", []() { return MakeDistance(vtkMeshSDF::FAST_SWEEPING); } },
-    Case{ "BruteForce", []() { return MakeDistance(vtkMeshSDF::BRUTE_FORCE); } },
-    Case{ "Evolution", MakeEvolution }, Case{ "Redistribution", MakeRedistribution },
-    Case{ "Wrap", MakeWrap }, Case{ "Hierarchy", MakeHierarchy }),
-  [](const testing::TestParamInfo<Case>& info) { return info.param.first; });
+INSTANTIATE_TEST_SUITE_P(Filters, LongRun, testing::ValuesIn(LongRunCases()), NameOf);
 
 //------------------------------------------------------------------------------
 TEST(Abort, OfASolveKeepsNoStates)
 {
-  const Filter made = MakeEvolution();
+  const auto made = MakeLongEvolution();
   auto* filter = vtkSurfaceEvolution::SafeDownCast(made);
   {
     EventLog log(filter);
@@ -193,7 +120,7 @@ TEST(Abort, OfASolveKeepsNoStates)
 //------------------------------------------------------------------------------
 TEST(Abort, AfterASolveKeepsIt)
 {
-  const Filter made = MakeEvolution();
+  const auto made = MakeLongEvolution();
   auto* filter = vtkSurfaceEvolution::SafeDownCast(made);
   filter->Update();
   filter->SetAbortExecute(1);

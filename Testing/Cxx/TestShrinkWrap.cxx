@@ -151,6 +151,16 @@ TEST(ShrinkWrap, PointsAloneAreWrapped)
 }
 
 //------------------------------------------------------------------------------
+TEST(ShrinkWrap, AnOpenSheetIsWrappedOnBothSides)
+{
+  const auto sheet = Sample::Sheet(8);
+  const auto output = Wrapped(sheet);
+  ExpectClosed(output, 0);
+  EXPECT_GT(AreaOf(output), 1.8 * AreaOf(sheet));
+  EXPECT_LT(LargestDistance(output, sheet), 0.3);
+}
+
+//------------------------------------------------------------------------------
 using DirtyInput = std::pair<const char*, Sample::Surface (*)()>;
 
 class ShrinkWrapDirty : public testing::TestWithParam<DirtyInput>

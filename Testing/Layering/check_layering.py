@@ -66,7 +66,7 @@ def check_kernel_file(root, path):
 
 def check_filter_file(root, path):
     public = os.path.basename(path).startswith("vtk") and path.endswith(".h")
-    bridge = os.path.basename(path).startswith("KernelBridge.")
+    bridge = os.path.basename(path).startswith("KernelBridge")
     for _, name in includes(path):
         kernel = os.path.exists(os.path.join(root, "Filters", "Kernel", name))
         if name.startswith("Eigen/"):

@@ -27,7 +27,9 @@ NOT_OFFERED = {
     ("ShrinkWrap", "AdaptToCurvature"): "refused in this version",
     ("ShrinkWrap", "PreserveFeatures"): "refused in this version",
     ("ShrinkWrap", "FeatureAngle"): "used with PreserveFeatures only",
-    ("SurfaceEvolution", "Remeshing"): "has one value in this version",
+    ("SurfaceEvolution", "Remeshing"): "refused in this version but for Off",
+    ("SurfaceEvolution", "TargetEdgeLength"): "used with Remeshing only",
+    ("SurfaceEvolution", "RemeshingInterval"): "used with Remeshing only",
 }
 # A range with both ends becomes a slider. Where the upper end is a guard far above any sensible
 # value a slider is useless: the XML leaves that end out and the documentation names it.

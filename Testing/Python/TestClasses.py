@@ -22,7 +22,7 @@ CONSTANTS = {
         "DISTANCE_FIELD": 0, "EDGE_DETECTOR": 1,
         "WEIGHTING_NONE": 0, "INVERSE_AREA": 1, "DISTANCE": 2,
         "CONTROL_NONE": 0, "CUBE_ROOT": 1, "TWO_THIRDS": 2, "EXPONENTIAL": 3,
-        "FIXED": 0, "SLIDE_ALONG": 1, "FREE": 2, "OFF": 0},
+        "FIXED": 0, "SLIDE_ALONG": 1, "FREE": 2, "OFF": 0, "UNIFORM": 1, "CURVATURE_ADAPTIVE": 2},
     "vtkTangentialRedistribution": {
         "WEIGHTING_NONE": 0, "INVERSE_AREA": 1,
         "CONTROL_NONE": 0, "CUBE_ROOT": 1, "TWO_THIRDS": 2, "EXPONENTIAL": 3,
