@@ -19,7 +19,8 @@ else ()
     CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral ParallelCore
     WrappingPythonCore Python
     OPTIONAL_COMPONENTS
-    FiltersSources IOLegacy IOXML InteractionStyle RenderingOpenGL2 TestingRendering)
+    FiltersGeometry FiltersSources IOGeometry IOImage IOLegacy IOPLY IOXML InteractionStyle
+    RenderingOpenGL2 TestingRendering)
 endif ()
 find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
 

@@ -156,7 +156,7 @@ public:
   ///@{
   /**
    * Add the point array `ClosestPoint` (3 floats): the closest point of the surface. Off by
-   * default; not with FAST_SWEEPING, which has none.
+   * default.
    */
   vtkSetMacro(ComputeClosestPoint, bool);
   vtkGetMacro(ComputeClosestPoint, bool);
@@ -166,7 +166,7 @@ public:
   ///@{
   /**
    * Add the point array `ClosestCellId`: the input cell that the closest point lies on. Off by
-   * default; not with FAST_SWEEPING, which has none.
+   * default.
    */
   vtkSetMacro(ComputeClosestCellId, bool);
   vtkGetMacro(ComputeClosestCellId, bool);
