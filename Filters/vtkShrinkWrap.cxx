@@ -231,8 +231,9 @@ void vtkShrinkWrap::WarnOfShortcomings()
   {
     vtkWarningMacro(<< "A point of the result is " << solved.Report.maxDistance
                     << " away from the input, more than an edge length (" << solved.EdgeLength
-                    << "): a membrane was left over a hole or a deep concavity; use the "
-                       "Isosurface start, a smaller GapSize or more SampleDimensions.");
+                    << "): a membrane was left over a hole or a deep concavity, or the distance "
+                       "grid is too coarse; use the Isosurface start, a smaller GapSize or more "
+                       "SampleDimensions.");
   }
   if (solved.Report.selfIntersections > 0)
   {
