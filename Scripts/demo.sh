@@ -34,5 +34,5 @@ package="$(find "$root/build/release" -type d -path '*-packages/evolvingsurfaces
 [[ -n "$package" ]] || fail "The build made no Python package evolvingsurfaces; remove" \
   "$root/build/release and try again."
 PYTHONPATH="$(dirname "$package")${PYTHONPATH:+:$PYTHONPATH}" \
-  xvfb-run -a -s "-screen 0 1920x1200x24" \
+  xvfb-run -a -s "-screen 0 1920x1200x24 -noreset" \
   /usr/bin/python3 "$root/Scripts/demo.py" "$mesh" "$output" "${@:3}"

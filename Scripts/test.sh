@@ -27,7 +27,7 @@ esac
 
 run_ctest()
 {
-  xvfb-run -a -s "-screen 0 1600x1200x24" ctest --no-tests=error --output-on-failure \
+  xvfb-run -a -s "-screen 0 1600x1200x24 -noreset" ctest --no-tests=error --output-on-failure \
     --parallel "$(nproc)" "$@"
 }
 

@@ -5,6 +5,7 @@
 
 #include "ChangedSurfaces.h"
 #include "DataChecks.h"
+#include "FlowSetups.h"
 #include "SampleSurfaces.h"
 #include "SurfaceMeasures.h"
 
@@ -30,40 +31,6 @@ namespace
 {
 
 using Names = std::vector<std::string>;
-
-//------------------------------------------------------------------------------
-/// Mean curvature flow of speed 1 in the input's units.
-void SetUpCurvatureFlow(vtkSurfaceEvolution* filter, vtkPolyData* start, double timeStep, int steps)
-{
-  filter->SetInputData(start);
-  filter->RelativeUnitsOff();
-  filter->SetCurvatureSpeed(1.0);
-  filter->SetTimeStep(timeStep);
-  filter->SetNumberOfSteps(steps);
-}
-
-//------------------------------------------------------------------------------
-/// From a sphere of radius 1.5 onto one of radius 1 in an image.
-void SetUpAttraction(vtkSurfaceEvolution* filter, vtkPolyData* start)
-{
-  filter->SetInputData(0, start);
-  filter->SetInputData(1, Sample::SphereImage(33, 2.0, 1.0));
-  filter->SetTimeStep(0.1);
-  filter->SetNumberOfSteps(40);
-  filter->SetCurvatureSpeed(0.01);
-}
-
-//------------------------------------------------------------------------------
-vtkTable* HistoryOf(vtkSurfaceEvolution* filter)
-{
-  return vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
-}
-
-//------------------------------------------------------------------------------
-double ValueAt(vtkTable* table, vtkIdType row, const char* column)
-{
-  return table->GetValueByName(row, column).ToDouble();
-}
 
 //------------------------------------------------------------------------------
 /// Error (6.1) of a shrinking unit sphere, with the co-volumes of each step's start.

@@ -4,6 +4,7 @@
 // vtkSurfaceEvolution: its point arrays, field arrays and history.
 
 #include "DataChecks.h"
+#include "FlowSetups.h"
 #include "SampleSurfaces.h"
 #include "SurfaceMeasures.h"
 
@@ -27,29 +28,6 @@ namespace
 {
 
 using Names = std::vector<std::string>;
-
-//------------------------------------------------------------------------------
-/// From a sphere of radius 1.5 onto one of radius 1 in an image.
-void SetUpAttraction(vtkSurfaceEvolution* filter, vtkPolyData* start)
-{
-  filter->SetInputData(0, start);
-  filter->SetInputData(1, Sample::SphereImage(33, 2.0, 1.0));
-  filter->SetTimeStep(0.1);
-  filter->SetNumberOfSteps(40);
-  filter->SetCurvatureSpeed(0.01);
-}
-
-//------------------------------------------------------------------------------
-vtkTable* HistoryOf(vtkSurfaceEvolution* filter)
-{
-  return vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
-}
-
-//------------------------------------------------------------------------------
-double ValueAt(vtkTable* table, vtkIdType row, const char* column)
-{
-  return table->GetValueByName(row, column).ToDouble();
-}
 
 //------------------------------------------------------------------------------
 TEST(SurfaceEvolutionData, PointArraysAreNamedAsPromised)

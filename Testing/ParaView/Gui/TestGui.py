@@ -38,7 +38,7 @@ def play(case, paraview, plugin_path, data, output):
         EVOLVINGSURFACES_REPORT_SCRIPT=str(HERE / "report.py"),
         EVOLVINGSURFACES_FRAMEBUFFER=str(output / "Xvfb_screen0"),
     )
-    command = ["xvfb-run", "-a", "-s", f"-screen 0 {SCREEN} -fbdir {output}", str(paraview), "--dr",
+    command = ["xvfb-run", "-a", "-s", f"-screen 0 {SCREEN} -noreset -fbdir {output}", str(paraview), "--dr",
                f"--test-script={HERE / (case + '.xml')}", f"--test-directory={output}", "--exit"]
     done = subprocess.run(command, env=environment, cwd=output, timeout=300, text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
