@@ -199,8 +199,7 @@ WeldedSurface ReadWelded(vtkPolyData* input)
 {
   const evolving::SurfaceMesh mesh = ReadSurface(input).mesh;
   WeldedSurface surface;
-  std::vector<evolving::Index> oldVertex;
-  surface.mesh = evolving::weldCoincidentPoints(mesh, &oldVertex);
+  surface.mesh = evolving::weldCoincidentPoints(mesh);
   // Every point goes with the vertex that has its coordinates.
   const auto less = [](const evolving::Vec3& p, const evolving::Vec3& q)
   { return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end()); };
