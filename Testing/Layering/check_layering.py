@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
-CODE = (".h", ".cxx")
+CODE = (".h", ".cxx", ".hxx")
 
 # Which folders of the kernel a folder may include; its own and the root files always.
 KERNEL_ARROWS = {

@@ -115,6 +115,16 @@ AABBTree::AABBTree(const SurfaceMesh& mesh, const Execution& execution)
   AABBTreeBuilder::build(*this, execution);
 }
 
+Box AABBTree::bounds() const
+{
+  Box box;
+  for (const Triangle& triangle : this->Triangles)
+  {
+    box.extend(triangle.box());
+  }
+  return box;
+}
+
 void AABBTree::visitLeaf(const Node& leaf, const Vec3& point, Candidate& best) const
 {
   const Index* triangles = this->LeafTriangles.data() + leaf.firstTriangle;

@@ -73,6 +73,9 @@ public:
   const Triangle& triangle(Index i) const { return this->Triangles[static_cast<std::size_t>(i)]; }
   const std::vector<Triangle>& triangles() const { return this->Triangles; }
 
+  /// The smallest box of the triangles.
+  Box bounds() const;
+
   /// The nodes in one array, parents before children, the root first; empty without triangles.
   const std::vector<Node>& nodes() const { return this->Nodes; }
   /// The depth of a node; the root's is 0.

@@ -99,32 +99,25 @@ std::vector<Index> queryBoundaryTriangles(
   return triangles;
 }
 
-std::vector<float> closestPoints(const AABBTree& tree, const DistanceGrid& grid,
+std::vector<float> closestPoints(const SurfaceMesh& mesh, const DistanceGrid& grid,
   const std::vector<Index>& triangles, const Vec3& offset, const Execution& execution)
 {
   std::vector<float> points(3 * triangles.size());
   forEachSample(grid, execution,
     [&](GridIndex sample, const Vec3& point)
     {
-      const Triangle& triangle = tree.triangle(triangles[static_cast<std::size_t>(sample)]);
+      const Triangle triangle = triangleOf(mesh, triangles[static_cast<std::size_t>(sample)]);
       const Vec3 closest = closestPointOnTriangle(point, triangle).point + offset;
       Eigen::Map<Eigen::Vector3f>(points.data() + 3 * sample) = closest.cast<float>();
     });
   return points;
 }
 
-bool containsAll(const DistanceGrid& grid, const AABBTree& tree)
+bool containsAll(const DistanceGrid& grid, const Box& surface)
 {
   const Extent& e = grid.extent;
   const Box samples(grid.point(e[0], e[2], e[4]), grid.point(e[1], e[3], e[5]));
-  for (const Triangle& triangle : tree.triangles())
-  {
-    if (!samples.contains(triangle.box()))
-    {
-      return false;
-    }
-  }
-  return true;
+  return samples.contains(surface);
 }
 
 } // namespace evolving

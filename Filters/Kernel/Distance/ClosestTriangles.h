@@ -50,11 +50,11 @@ std::vector<Index> queryBoundaryTriangles(
  * @return three numbers per sample
  * @throws Cancelled
  */
-std::vector<float> closestPoints(const AABBTree& tree, const DistanceGrid& grid,
+std::vector<float> closestPoints(const SurfaceMesh& mesh, const DistanceGrid& grid,
   const std::vector<Index>& triangles, const Vec3& offset, const Execution& execution = {});
 
-/// Does the box of the samples contain the tree's triangles?
-bool containsAll(const DistanceGrid& grid, const AABBTree& tree);
+/// Does the box of the samples contain that of a surface?
+bool containsAll(const DistanceGrid& grid, const Box& surface);
 
 } // namespace evolving
 

@@ -5,6 +5,7 @@
 
 #include "Distance/ClosestTriangles.h"
 #include "Distance/Pseudonormals.h"
+#include "Distance/TriangleGeometry.h"
 
 #include <algorithm>
 
@@ -46,22 +47,22 @@ std::vector<float> normalizedDifferences(
   return gradient;
 }
 
-std::vector<float> awayFromClosest(const AABBTree& tree, const DistanceGrid& grid,
-  const std::vector<Index>& triangles, const std::vector<char>& inside, const SurfaceMesh* surface,
+std::vector<float> awayFromClosest(const SurfaceMesh& mesh, const DistanceGrid& grid,
+  const std::vector<Index>& triangles, const std::vector<char>& inside, bool isSigned,
   const Execution& execution)
 {
   std::vector<float> gradient(3 * triangles.size());
-  const Pseudonormals normals(surface ? *surface : SurfaceMesh());
+  const Pseudonormals normals(isSigned ? mesh : SurfaceMesh());
   const double tooClose = 1e-6 * grid.spacing.minCoeff();
   forEachSample(grid, execution,
     [&](GridIndex sample, const Vec3& point)
     {
       const auto s = static_cast<std::size_t>(sample);
-      const TrianglePoint closest = closestPointOnTriangle(point, tree.triangle(triangles[s]));
+      const TrianglePoint closest = closestPointOnTriangle(point, triangleOf(mesh, triangles[s]));
       Vec3 direction = inside[s] ? Vec3(closest.point - point) : Vec3(point - closest.point);
       if (direction.norm() <= tooClose)
       {
-        direction = surface ? normals.at(triangles[s], closest.feature) : Vec3(Vec3::Zero());
+        direction = isSigned ? normals.at(triangles[s], closest.feature) : Vec3(Vec3::Zero());
       }
       const double length = direction.norm();
       direction = length > 0.0 ? Vec3(direction / length) : direction;

@@ -9,7 +9,6 @@
 #ifndef EVOLVING_DISTANCE_GRADIENT_H
 #define EVOLVING_DISTANCE_GRADIENT_H
 
-#include "Distance/AABBTree.h"
 #include "Distance/DistanceGrid.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
@@ -34,13 +33,12 @@ std::vector<float> normalizedDifferences(
  * no such direction, its pseudonormal.
  * @param triangles the closest one of each sample
  * @param inside not 0 for samples inside
- * @param surface the mesh of the tree, for the pseudonormal; null for an unsigned distance,
- * whose gradient on the surface is zero
+ * @param isSigned false for an unsigned distance, whose gradient on the surface is zero
  * @return three per sample
  * @throws Cancelled
  */
-std::vector<float> awayFromClosest(const AABBTree& tree, const DistanceGrid& grid,
-  const std::vector<Index>& triangles, const std::vector<char>& inside, const SurfaceMesh* surface,
+std::vector<float> awayFromClosest(const SurfaceMesh& mesh, const DistanceGrid& grid,
+  const std::vector<Index>& triangles, const std::vector<char>& inside, bool isSigned,
   const Execution& execution = {});
 
 } // namespace evolving

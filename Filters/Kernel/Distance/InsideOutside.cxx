@@ -5,6 +5,7 @@
 
 #include "Distance/ClosestTriangles.h"
 #include "Distance/FloodFill.h"
+#include "Distance/PseudonormalSign.h"
 #include "Distance/Pseudonormals.h"
 #include "Distance/WindingNumber.h"
 #include "Errors.h"
@@ -59,21 +60,6 @@ SignChoice choiceForSurface(const OrientationSummary& surface)
   return { SignMethod::WindingNumber, reason.str() };
 }
 
-std::vector<char> insideByPseudonormal(const DistanceTarget& target, const AABBTree& tree,
-  const DistanceGrid& grid, const std::vector<Index>& triangles, const Execution& execution)
-{
-  const Pseudonormals normals(target.mesh);
-  std::vector<char> inside(triangles.size(), 0);
-  forEachSample(grid, execution,
-    [&](GridIndex sample, const Vec3& point)
-    {
-      const Index triangle = triangles[at(sample)];
-      const TrianglePoint closest = closestPointOnTriangle(point, tree.triangle(triangle));
-      inside[at(sample)] = normals.isInside(point, triangle, closest);
-    });
-  return inside;
-}
-
 /**
  * Carries the side of one sample on to the next, where nothing can have changed it. Between
  * crossings of the surface the winding number changes only by the field of the surface's open
@@ -114,10 +100,21 @@ private:
   bool Inside = false;
 };
 
-std::vector<char> insideByWindingNumber(const DistanceTarget& target, const AABBTree& tree,
-  const DistanceGrid& grid, const std::vector<float>& clearance, const Execution& execution)
+std::vector<Triangle> trianglesOf(const SurfaceMesh& mesh)
 {
-  const WindingNumber winding(tree.triangles());
+  std::vector<Triangle> triangles;
+  triangles.reserve(static_cast<std::size_t>(mesh.faceCount()));
+  for (Index face = 0; face < mesh.faceCount(); ++face)
+  {
+    triangles.push_back(triangleOf(mesh, face));
+  }
+  return triangles;
+}
+
+std::vector<char> insideByWindingNumber(const DistanceTarget& target, const DistanceGrid& grid,
+  const std::vector<float>& clearance, const Execution& execution)
+{
+  const WindingNumber winding(trianglesOf(target.mesh));
   std::vector<char> inside(clearance.size(), 0);
   const int width = grid.dimension(0);
   const Extent& e = grid.extent;
@@ -149,30 +146,30 @@ Vec3 samplePoint(const DistanceGrid& grid, GridIndex sample)
     grid.extent[4] + static_cast<int>(row / grid.dimension(1)));
 }
 
-std::vector<char> insideByFloodFill(const DistanceTarget& target, const AABBTree& tree,
-  const DistanceGrid& grid, const UnsignedDistance& samples, const Execution& execution)
+std::vector<char> insideByFloodFill(const DistanceTarget& target, const DistanceGrid& grid,
+  const UnsignedDistance& samples, const Execution& execution)
 {
   const Pseudonormals normals(target.mesh);
   const auto cellRadius = static_cast<float>(0.5 * grid.spacing.norm());
+  const std::vector<float>& clearance = samples.lowerBound();
   FloodFillQueries queries;
-  queries.isNearSurface = [&](GridIndex sample) {
-    return samples.triangle[at(sample)] != NoIndex && samples.clearance[at(sample)] <= cellRadius;
-  };
+  queries.isNearSurface = [&](GridIndex sample)
+  { return samples.triangle[at(sample)] != NoIndex && clearance[at(sample)] <= cellRadius; };
   queries.isBehindSurface = [&](GridIndex sample)
   {
     const Vec3 point = samplePoint(grid, sample);
     const Index triangle = samples.triangle[at(sample)];
     return normals.isInside(
-      point, triangle, closestPointOnTriangle(point, tree.triangle(triangle)));
+      point, triangle, closestPointOnTriangle(point, triangleOf(target.mesh, triangle)));
   };
   WindingNumber winding({});
-  if (!containsAll(grid, tree))
+  if (!containsAll(grid, boundingBox(target.mesh)))
   {
-    winding = WindingNumber(tree.triangles());
+    winding = WindingNumber(trianglesOf(target.mesh));
     queries.isInside = [&](GridIndex sample)
     { return winding.at(samplePoint(grid, sample)) > Threshold; };
   }
-  return floodFill(grid, samples.clearance, queries, execution);
+  return floodFill(grid, clearance, queries, execution);
 }
 
 } // namespace
@@ -196,22 +193,21 @@ SignChoice chooseSignMethod(SignMethod asked, const DistanceTarget& target)
 }
 
 std::vector<char> samplesInside(SignMethod method, const DistanceTarget& target,
-  const AABBTree& tree, const DistanceGrid& grid, const UnsignedDistance& samples,
-  const Execution& execution)
+  const DistanceGrid& grid, const UnsignedDistance& samples, const Execution& execution)
 {
   switch (method)
   {
     case SignMethod::FloodFill:
-      return insideByFloodFill(target, tree, grid, samples, execution);
+      return insideByFloodFill(target, grid, samples, execution);
     case SignMethod::WindingNumber:
-      return insideByWindingNumber(target, tree, grid, samples.clearance, execution);
+      return insideByWindingNumber(target, grid, samples.lowerBound(), execution);
     case SignMethod::Pseudonormal:
-      return insideByPseudonormal(target, tree, grid, samples.triangle, execution);
+      return insideByPseudonormal(target, grid, samples, execution);
     case SignMethod::Automatic:
     case SignMethod::Unsigned:
       break;
   }
-  return std::vector<char>(samples.clearance.size(), 0);
+  return std::vector<char>(samples.distance.size(), 0);
 }
 
 } // namespace evolving

@@ -9,7 +9,6 @@
 #ifndef EVOLVING_INSIDE_OUTSIDE_H
 #define EVOLVING_INSIDE_OUTSIDE_H
 
-#include "Distance/AABBTree.h"
 #include "Distance/DistanceGrid.h"
 #include "Distance/DistanceTarget.h"
 #include "Distance/SignedDistance.h"
@@ -39,14 +38,13 @@ SignChoice chooseSignMethod(SignMethod asked, const DistanceTarget& target);
 
 /**
  * @param method not Automatic
- * @param samples every triangle known for Pseudonormal, those beside the surface for FloodFill,
- * none for WindingNumber
+ * @param samples triangles known beside the surface for Pseudonormal (all of them for surfaces for
+ * which needsTrianglesNearSurfaceOnly() is false) and for FloodFill, none for WindingNumber
  * @return not 0 for the samples of the grid that are inside
  * @throws Cancelled
  */
 std::vector<char> samplesInside(SignMethod method, const DistanceTarget& target,
-  const AABBTree& tree, const DistanceGrid& grid, const UnsignedDistance& samples,
-  const Execution& execution = {});
+  const DistanceGrid& grid, const UnsignedDistance& samples, const Execution& execution = {});
 
 } // namespace evolving
 

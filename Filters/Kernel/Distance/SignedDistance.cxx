@@ -4,17 +4,19 @@
 #include "Distance/SignedDistance.h"
 
 #include "Distance/AABBTree.h"
-#include "Distance/ClosestPointSweep.h"
+#include "Distance/ClosestPoint/ClosestOnGrid.h"
 #include "Distance/ClosestTriangles.h"
 #include "Distance/DistanceGradient.h"
 #include "Distance/DistanceTarget.h"
 #include "Distance/GaussianSmoothing.h"
 #include "Distance/InsideOutside.h"
+#include "Distance/PseudonormalSign.h"
 #include "Distance/SignedDistanceChecks.h"
 #include "Distance/UnsignedDistance.h"
 #include "Errors.h"
 
 #include <algorithm>
+#include <limits>
 #include <new>
 #include <sstream>
 
@@ -38,9 +40,13 @@ Extent grown(const Extent& part, int margin, const Extent& whole)
 
 /// The values of a part of the grid.
 template <typename Value>
-std::vector<Value> cut(const std::vector<Value>& values, GridIndex components,
-  const DistanceGrid& grid, const Extent& part)
+std::vector<Value> cut(
+  std::vector<Value> values, GridIndex components, const DistanceGrid& grid, const Extent& part)
 {
+  if (part == grid.extent)
+  {
+    return values;
+  }
   const GridIndex width = components * (part[1] - part[0] + 1);
   std::vector<Value> result;
   result.reserve(static_cast<std::size_t>(components * grid.part(part).sampleCount()));
@@ -66,7 +72,6 @@ public:
     , Options(options)
     , Sign(sign)
     , Host(execution)
-    , Tree(target.mesh, execution.phase(0.0, 0.15))
   {
     this->Whole.origin -= target.center;
   }
@@ -74,19 +79,16 @@ public:
   SignedDistanceResult run(const Extent& part)
   {
     const DistanceGrid grid = this->Whole.part(this->workingExtent(part));
-    UnsignedDistance field = this->measure(grid, this->Host.phase(0.15, 0.7));
+    UnsignedDistance field = this->measure(grid, this->Host.phase(0.0, 0.8));
     const std::vector<char> inside =
-      samplesInside(this->Sign, this->Target, this->Tree, grid, field, this->Host.phase(0.7, 0.9));
-    for (std::size_t s = 0; s < inside.size(); ++s)
-    {
-      field.distance[s] = inside[s] ? -field.distance[s] : field.distance[s];
-    }
+      samplesInside(this->Sign, this->Target, grid, field, this->Host.phase(0.8, 0.9));
+    this->applySigns(inside, field.distance);
     smoothGaussian(field.distance, { grid.dimension(0), grid.dimension(1), grid.dimension(2) },
       this->Options.smoothingSigma, this->Host.phase(0.9, 0.94));
     SignedDistanceResult result;
-    result.distance = cut(field.distance, 1, grid, part);
-    this->clampToBand(result.distance);
     this->fillArrays(result, grid, part, field, inside);
+    result.distance = cut(std::move(field.distance), 1, grid, part);
+    this->clampToBand(result.distance);
     this->Host.report(1.0);
     return result;
   }
@@ -104,30 +106,89 @@ private:
     return grown(part, sigma > 0.0 ? smoothingRadius(sigma) + 1 : 0, this->Whole.extent);
   }
 
+  bool wantsArrays() const
+  {
+    return this->Options.closestPoint || this->Options.closestFace || this->Options.gradient;
+  }
+
+  /// How far from the surface the closest triangles of samples are asked for.
+  double triangleReach() const
+  {
+    const bool everywhere = this->wantsArrays() ||
+      (this->Sign == SignMethod::Pseudonormal &&
+        !needsTrianglesNearSurfaceOnly(this->Target.orientation));
+    constexpr double SideIsSure = 3.0; // beyond so many cells it is carried on
+    return everywhere ? std::numeric_limits<double>::infinity()
+                      : SideIsSure * this->Whole.spacing.maxCoeff();
+  }
+
+  /// How far from the surface distances matter; smoothing takes them from anywhere.
+  double distanceReach() const
+  {
+    return this->Options.bandWidth == 0.0 || this->Options.smoothingSigma > 0.0
+      ? std::numeric_limits<double>::infinity()
+      : this->Options.bandWidth * this->Whole.spacing.maxCoeff();
+  }
+
   UnsignedDistance measure(const DistanceGrid& grid, const Execution& execution) const
   {
-    const Execution first = execution.phase(0.0, 0.9);
-    const Execution last = execution.phase(0.9, 1.0);
-    if (this->Options.method == DistanceMethod::BruteForce)
+    switch (this->Options.method)
     {
-      return distanceToTriangles(
-        this->Tree, grid, queryClosestTriangles(this->Tree, grid, first), last);
+      case DistanceMethod::ClosestPoint:
+        return this->measureClosest(
+          grid, std::max(this->triangleReach(), this->distanceReach()), execution);
+      case DistanceMethod::FastSweeping:
+        return this->sweep(grid, execution);
+      case DistanceMethod::BruteForce:
+        break;
     }
-    if (this->Options.method == DistanceMethod::ClosestPoint)
+    return this->measureByQueries(grid, execution);
+  }
+
+  UnsignedDistance measureClosest(
+    const DistanceGrid& grid, double reach, const Execution& execution) const
+  {
+    if (!isWithinReachOfFloats(this->Target.mesh, grid))
     {
-      return distanceToTriangles(
-        this->Tree, grid, sweepClosestTriangles(this->Target.mesh, this->Tree, grid, first), last);
+      return this->measureByQueries(grid, execution);
     }
-    const bool wantsTriangles = this->Sign == SignMethod::Pseudonormal ||
-      this->Options.closestPoint || this->Options.closestFace || this->Options.gradient;
-    UnsignedDistance field = distanceBySweeping(this->Tree, grid, this->Options.numberOfSweeps,
-      execution.phase(0.0, wantsTriangles ? 0.6 : 1.0));
+    GridClosest closest = closestOnGrid(this->Target.mesh, grid, reach, execution);
+    return { std::move(closest.distance), std::move(closest.triangle), {} };
+  }
+
+  UnsignedDistance measureByQueries(const DistanceGrid& grid, const Execution& execution) const
+  {
+    const AABBTree tree(this->Target.mesh, execution.phase(0.0, 0.15));
+    return distanceToTriangles(this->Target.mesh, grid,
+      queryClosestTriangles(tree, grid, execution.phase(0.15, 0.9)), execution.phase(0.9, 1.0));
+  }
+
+  UnsignedDistance sweep(const DistanceGrid& grid, const Execution& execution) const
+  {
+    const AABBTree tree(this->Target.mesh, execution.phase(0.0, 0.2));
+    const bool wantsTriangles = this->wantsArrays() || this->Sign == SignMethod::Pseudonormal;
+    UnsignedDistance field = distanceBySweeping(
+      tree, grid, this->Options.numberOfSweeps, execution.phase(0.2, wantsTriangles ? 0.6 : 1.0));
     if (wantsTriangles)
     {
-      field.triangle =
-        sweepClosestTriangles(this->Target.mesh, this->Tree, grid, execution.phase(0.6, 1.0));
+      UnsignedDistance closest =
+        this->measureClosest(grid, this->triangleReach(), execution.phase(0.6, 1.0));
+      field.triangle = std::move(closest.triangle);
+      field.clearance = std::move(closest.distance);
     }
     return field;
+  }
+
+  void applySigns(const std::vector<char>& inside, std::vector<float>& distance) const
+  {
+    this->Host.forRange(static_cast<std::int64_t>(inside.size()), SampleGrain,
+      [&](std::int64_t begin, std::int64_t end)
+      {
+        for (auto s = static_cast<std::size_t>(begin); s < static_cast<std::size_t>(end); ++s)
+        {
+          distance[s] = inside[s] ? -distance[s] : distance[s];
+        }
+      });
   }
 
   /// Fills the arrays that were asked for.
@@ -136,6 +197,7 @@ private:
   {
     const Execution first = this->Host.phase(0.94, 0.97);
     const Execution last = this->Host.phase(0.97, 1.0);
+    const SurfaceMesh& mesh = this->Target.mesh;
     if (this->Options.closestFace)
     {
       result.closestFace = cut(field.triangle, 1, grid, part);
@@ -146,18 +208,16 @@ private:
     }
     if (this->Options.closestPoint)
     {
-      const auto points =
-        closestPoints(this->Tree, grid, field.triangle, this->Target.center, first);
-      result.closestPoint = cut(points, 3, grid, part);
+      auto points = closestPoints(mesh, grid, field.triangle, this->Target.center, first);
+      result.closestPoint = cut(std::move(points), 3, grid, part);
     }
     if (this->Options.gradient)
     {
-      const bool isSmoothed = this->Options.smoothingSigma > 0.0;
-      const bool isSigned = this->Sign != SignMethod::Unsigned;
-      const auto gradient = isSmoothed ? normalizedDifferences(grid, field.distance, last)
-                                       : awayFromClosest(this->Tree, grid, field.triangle, inside,
-                                           isSigned ? &this->Target.mesh : nullptr, last);
-      result.gradient = cut(gradient, 3, grid, part);
+      auto gradient = this->Options.smoothingSigma > 0.0
+        ? normalizedDifferences(grid, field.distance, last)
+        : awayFromClosest(
+            mesh, grid, field.triangle, inside, this->Sign != SignMethod::Unsigned, last);
+      result.gradient = cut(std::move(gradient), 3, grid, part);
     }
   }
 
@@ -170,12 +230,13 @@ private:
     }
   }
 
+  static constexpr std::int64_t SampleGrain = 1 << 16;
+
   const DistanceTarget& Target;
   DistanceGrid Whole; ///< relative to the target's centre
   const SignedDistanceOptions& Options;
   SignMethod Sign;
   const Execution& Host;
-  AABBTree Tree;
 };
 
 } // namespace

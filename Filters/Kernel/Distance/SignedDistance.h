@@ -22,9 +22,9 @@ namespace evolving
 
 enum class DistanceMethod
 {
-  ClosestPoint = 0, ///< exact near the surface, the closest triangle propagated outwards
+  ClosestPoint = 0, ///< exact: blocks of samples searched together over a tree of boxes
   FastSweeping = 1, ///< section 5.3: octree cells frozen at their distance, Godunov sweeps
-  BruteForce = 2,   ///< the closest triangle of every sample by a query of the tree
+  BruteForce = 2,   ///< the reference: every sample by a query of the AABB tree, in double
 };
 
 enum class SignMethod

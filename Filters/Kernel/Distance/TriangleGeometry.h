@@ -10,6 +10,7 @@
 #ifndef EVOLVING_TRIANGLE_GEOMETRY_H
 #define EVOLVING_TRIANGLE_GEOMETRY_H
 
+#include "Mesh/SurfaceMesh.h"
 #include "Types.h"
 
 #include <array>
@@ -26,6 +27,12 @@ struct Triangle
   Vec3 doubleAreaNormal() const;
   Box box() const;
 };
+
+/// A face of a mesh of triangles.
+inline Triangle triangleOf(const SurfaceMesh& mesh, Index face)
+{
+  return { { mesh.facePoint(face, 0), mesh.facePoint(face, 1), mesh.facePoint(face, 2) } };
+}
 
 /// Where on a triangle a point lies. Edge k runs from corner k to corner k + 1.
 enum class TriangleFeature : std::uint8_t

@@ -41,7 +41,7 @@ void freezeBoundary(
 
 } // namespace
 
-UnsignedDistance distanceToTriangles(const AABBTree& tree, const DistanceGrid& grid,
+UnsignedDistance distanceToTriangles(const SurfaceMesh& mesh, const DistanceGrid& grid,
   std::vector<Index> triangles, const Execution& execution)
 {
   UnsignedDistance result;
@@ -49,11 +49,10 @@ UnsignedDistance distanceToTriangles(const AABBTree& tree, const DistanceGrid& g
   forEachSample(grid, execution,
     [&](GridIndex s, const Vec3& point)
     {
-      const Triangle& triangle = tree.triangle(triangles[at(s)]);
+      const Triangle triangle = triangleOf(mesh, triangles[at(s)]);
       const double squared = closestPointOnTriangle(point, triangle).squaredDistance;
       result.distance[at(s)] = static_cast<float>(std::sqrt(squared));
     });
-  result.clearance = result.distance;
   result.triangle = std::move(triangles);
   return result;
 }
@@ -77,7 +76,7 @@ UnsignedDistance distanceBySweeping(
     result.triangle[at(sample)] = leaf.triangle;
     result.clearance[at(sample)] = static_cast<float>(distance);
   }
-  if (!containsAll(grid, tree))
+  if (!containsAll(grid, tree.bounds()))
   {
     freezeBoundary(field, tree, grid, execution.phase(0.4, 0.6));
   }

@@ -24,12 +24,18 @@ namespace evolving
 struct UnsignedDistance
 {
   std::vector<float> distance;
-  std::vector<float> clearance; ///< a lower bound for the distance to the surface
-  std::vector<Index> triangle;  ///< the closest one; NoIndex where not known
+  std::vector<Index> triangle; ///< the closest one; NoIndex where not known
+  /// A lower bound for the distance to the surface; empty where the distance itself is one.
+  std::vector<float> clearance;
+
+  const std::vector<float>& lowerBound() const
+  {
+    return this->clearance.empty() ? this->distance : this->clearance;
+  }
 };
 
 /// The distances to triangles already known to be the closest. @throws Cancelled
-UnsignedDistance distanceToTriangles(const AABBTree& tree, const DistanceGrid& grid,
+UnsignedDistance distanceToTriangles(const SurfaceMesh& mesh, const DistanceGrid& grid,
   std::vector<Index> triangles, const Execution& execution = {});
 
 /**

@@ -50,8 +50,8 @@ TEST(ClosestTriangles, OnTheBoundaryAreThoseOfTheWholeGrid)
 
 TEST(ClosestTriangles, TheGridContainsAllTrianglesOrNot)
 {
-  const AABBTree tree(box(Vec3(0, 0, 0), Vec3(1, 1, 1)));
-  EXPECT_TRUE(containsAll(gridOver(Box(Vec3(0, 0, 0), Vec3(1, 1, 1)), { 5, 5, 5 }), tree));
-  EXPECT_FALSE(containsAll(gridOver(Box(Vec3(0, 0, 0), Vec3(1, 1, 0.9)), { 5, 5, 5 }), tree));
-  EXPECT_FALSE(containsAll(gridOver(Box(Vec3(0, 0, 0), Vec3(1, 1, 1)), { 5, 5, 1 }), tree));
+  const Box surface(Vec3(0, 0, 0), Vec3(1, 1, 1));
+  EXPECT_TRUE(containsAll(gridOver(Box(Vec3(0, 0, 0), Vec3(1, 1, 1)), { 5, 5, 5 }), surface));
+  EXPECT_FALSE(containsAll(gridOver(Box(Vec3(0, 0, 0), Vec3(1, 1, 0.9)), { 5, 5, 5 }), surface));
+  EXPECT_FALSE(containsAll(gridOver(Box(Vec3(0, 0, 0), Vec3(1, 1, 1)), { 5, 5, 1 }), surface));
 }

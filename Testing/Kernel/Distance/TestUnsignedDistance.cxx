@@ -19,13 +19,13 @@ TEST(UnsignedDistance, ToTrianglesIsThatOfTheClosestPoint)
   const SurfaceMesh mesh = torus(1.0, 0.35, 30, 16);
   const AABBTree tree(mesh);
   const DistanceGrid grid = gridAround(boundingBox(mesh), { 14, 13, 8 }, 0.1);
-  const UnsignedDistance field = distanceToTriangles(tree, grid, queryClosestTriangles(tree, grid));
+  const UnsignedDistance field = distanceToTriangles(mesh, grid, queryClosestTriangles(tree, grid));
   forEachSample(grid, Execution(),
     [&](GridIndex sample, const Vec3& point)
     {
       const auto s = static_cast<std::size_t>(sample);
       EXPECT_NEAR(field.distance[s], std::sqrt(tree.closest(point).at.squaredDistance), 1e-6);
-      EXPECT_EQ(field.clearance[s], field.distance[s]);
+      EXPECT_EQ(field.lowerBound()[s], field.distance[s]);
     });
 }
 
