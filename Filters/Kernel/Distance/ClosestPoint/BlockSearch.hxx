@@ -84,21 +84,30 @@ inline Lanes squaredDistances(
   return local[2] * local[2] + inPlane;
 }
 
+inline Lanes roughDot(const Lanes a[3], Lanes x, Lanes y, Lanes z)
+{
+  return roughSum(a[0], x, roughSum(a[1], y, a[2] * z));
+}
+
 /// The bound about eight points, from the rectangle around a triangle.
 inline LinearBound boundAt(const FramedTriangle& triangle, const WayFromAnchor& from,
   const EightPoints& points, const float halfSize[3])
 {
-  Lanes gap[3];
-  toFrame(triangle, from, points, gap);
-  gap[0] -= clampedTo(gap[0], triangle.length);
-  gap[1] -= clampedTo(gap[1], triangle.height);
+  const Lanes way[3] = { from.way[0] + points.way[0], from.way[1] + points.way[1],
+    from.way[2] + points.way[2] };
+  const float* along = triangle.along;
+  const float* beside = triangle.beside;
+  const float* normal = triangle.normal;
+  const Lanes x = roughDot(way, all(along[0]), all(along[1]), all(along[2]));
+  const Lanes y = roughDot(way, all(beside[0]), all(beside[1]), all(beside[2]));
+  const Lanes gap[3] = { x - clampedTo(x, triangle.length), y - clampedTo(y, triangle.height),
+    roughDot(way, all(normal[0]), all(normal[1]), all(normal[2])) };
   LinearBound bound;
-  bound.atCenter = squareRoot(gap[0] * gap[0] + gap[1] * gap[1] + gap[2] * gap[2]);
+  bound.atCenter = squareRoot(roughDot(gap, gap[0], gap[1], gap[2]));
   const Lanes inverse = 1.0F / larger(bound.atCenter, all(1e-20F));
   for (int axis = 0; axis < 3; ++axis)
   {
-    bound.slope[axis] = (gap[0] * triangle.along[axis] + gap[1] * triangle.beside[axis] +
-                          gap[2] * triangle.normal[axis]) *
+    bound.slope[axis] = roughDot(gap, all(along[axis]), all(beside[axis]), all(normal[axis])) *
       inverse * halfSize[axis];
   }
   return bound;
@@ -114,13 +123,13 @@ inline LinearBound boundAt(const BoxFan& fan, const float point[3], const float 
   for (int k = 0; k < 3; ++k)
   {
     const Lanes axis[3] = { load(fan.axis[k][0]), load(fan.axis[k][1]), load(fan.axis[k][2]) };
-    const Lanes local = way[0] * axis[0] + way[1] * axis[1] + way[2] * axis[2];
+    const Lanes local = roughDot(way, axis[0], axis[1], axis[2]);
     const Lanes gap = larger(magnitude(local) - load(fan.halfSize[k]), all(0.0F));
     const Lanes signedGap = withSignOf(gap, local);
-    squared += gap * gap;
+    squared = roughSum(gap, gap, squared);
     for (int a = 0; a < 3; ++a)
     {
-      gradient[a] += signedGap * axis[a];
+      gradient[a] = roughSum(signedGap, axis[a], gradient[a]);
     }
   }
   LinearBound bound;
@@ -182,6 +191,12 @@ public:
     , Grid(grid)
     , Result(result)
   {
+    const float none[3] = { 0.0F, 0.0F, 0.0F };
+    for (std::size_t level = 0; level < Levels; ++level)
+    {
+      const int side = SearchGrid::BlockSide >> level;
+      this->Corners[level] = this->eightPoints(none, static_cast<float>(side - 1));
+    }
     const float middle[3] = { 0.5F, 0.5F, 0.5F };
     this->GroupCenters = this->eightPoints(middle, 2.0F);
     for (int g = 0; g < 8; ++g)
@@ -201,6 +216,7 @@ public:
 
 private:
   static constexpr int BrickSide = 4;
+  static constexpr std::size_t Levels = 3; ///< of blocks, bricks the last
 
   struct Block
   {
@@ -264,7 +280,8 @@ private:
     const bool isBrick = block.side == BrickSide;
     guess = this->closerGuess(this->boundCandidates(middle, level), middle, guess);
     const float largest = isBrick ? 0.0F : 0.5F * static_cast<float>(block.side);
-    const float nearest = this->select(this->cornerDistances(block, guess), middle, largest, level);
+    const float nearest =
+      this->select(this->cornerDistances(block, level, guess), middle, largest, level);
     const float* half = middle.halfSize;
     if (nearest - std::sqrt(half[0] * half[0] + half[1] * half[1] + half[2] * half[2]) >
       this->Grid.band)
@@ -366,18 +383,16 @@ private:
   }
 
   /// The distances of a block's corners to a triangle, each in all lanes of its own.
-  KnownDistances cornerDistances(const Block& block, Index triangle) const
+  KnownDistances cornerDistances(const Block& block, std::size_t level, Index triangle) const
   {
     double corner[3];
     for (int axis = 0; axis < 3; ++axis)
     {
       corner[axis] = block.corner[axis] * this->Grid.step[axis];
     }
-    const float none[3] = { 0.0F, 0.0F, 0.0F };
-    const EightPoints corners = this->eightPoints(none, static_cast<float>(block.side - 1));
     const FramedTriangle& framed = this->Triangles[triangle];
     const Lanes distance =
-      squareRoot(squaredDistances(framed, WayFromAnchor(framed, corner), corners)) +
+      squareRoot(squaredDistances(framed, WayFromAnchor(framed, corner), this->Corners[level])) +
       this->Grid.margin;
     KnownDistances known;
     for (int k = 0; k < 8; ++k)
@@ -479,7 +494,10 @@ private:
     {
       for (const std::uint32_t* n = this->Group[g].data(); n != this->GroupEnd[g]; ++n)
       {
-        this->tryListed(*n, g, nearest[g]);
+        if (static_cast<int>(*n) != closest[g])
+        {
+          this->tryListed(*n, g, nearest[g]);
+        }
       }
     }
     this->store(corner, nearest);
@@ -491,7 +509,7 @@ private:
     nearest.tryTriangle(*listed.triangle, listed.toBrick, this->GroupSamples[group]);
   }
 
-  /// The guess, and then the candidates.
+  /// The guess, and then the candidates, among which it is again.
   void listTriangles(const std::vector<Candidates>& candidates, const double place[3], Index guess)
   {
     const auto add = [&](const FramedTriangle& triangle) {
@@ -528,7 +546,7 @@ private:
     LinearBound* bound = this->Bound.data();
     const Listed* listed = this->Triangle.data();
     const auto count = static_cast<int>(this->Triangle.size());
-    for (int n = 0; n < count; ++n)
+    for (int n = 1; n < count; ++n)
     {
       bound[n] = boundAt(*listed[n].triangle, listed[n].toBrick, this->GroupCenters, halfStep);
       const Lanes atCenter = bound[n].atCenter;
@@ -549,7 +567,7 @@ private:
     }
     const LinearBound* bound = this->Bound.data();
     const auto count = static_cast<std::uint32_t>(this->Triangle.size());
-    for (std::uint32_t n = 0; n < count; ++n)
+    for (std::uint32_t n = 1; n < count; ++n)
     {
       for (unsigned rest = mayBeCloser(bound[n], known.at); rest != 0; rest &= rest - 1)
       {
@@ -600,13 +618,15 @@ private:
   const FramedTriangle* Triangles;
   const SearchGrid& Grid;
   GridClosest& Result;
-  EightPoints GroupCenters;    ///< of a brick, from its corner
-  EightPoints GroupSamples[8]; ///< of each group
+  std::array<EightPoints, Levels> Corners; ///< of blocks, from their first
+  EightPoints GroupCenters;                ///< of a brick, from its corner
+  EightPoints GroupSamples[8];             ///< of each group
 
-  std::array<std::vector<Candidates>, 4> Lists; ///< of the blocks around, from the outermost
-  std::vector<LinearBound> FanBound;            ///< of a list
-  std::vector<Index> Opened;                    ///< fans
-  std::vector<Listed> Triangle;                 ///< those that matter to a brick
+  std::array<std::vector<Candidates>, Levels + 1>
+    Lists;                           ///< of the blocks around, from the outermost
+  std::vector<LinearBound> FanBound; ///< of a list
+  std::vector<Index> Opened;         ///< fans
+  std::vector<Listed> Triangle;      ///< those that matter to a brick
   std::vector<LinearBound> Bound;
   std::vector<std::uint32_t> Group[8]; ///< places in the list of triangles
   std::uint32_t* GroupEnd[8] = {};

@@ -110,7 +110,7 @@ namespace anywhere
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
 #define EVOLVING_HAS_AVX2_SEARCH
 #pragma GCC push_options
-#pragma GCC target("avx2")
+#pragma GCC target("avx2,fma")
 #undef EVOLVING_LANES_HAVE_AVX
 #define EVOLVING_LANES_HAVE_AVX 1
 namespace avx2
@@ -231,7 +231,8 @@ GridClosest closestOnGrid(const SurfaceMesh& mesh, const DistanceGrid& grid, dou
   result.triangle.resize(static_cast<std::size_t>(grid.sampleCount()));
   const Execution searching = execution.phase(0.1, 1.0);
 #if defined(EVOLVING_HAS_AVX2_SEARCH)
-  if (instructions == Instructions::Best && __builtin_cpu_supports("avx2"))
+  if (instructions == Instructions::Best && __builtin_cpu_supports("avx2") &&
+    __builtin_cpu_supports("fma"))
   {
     searchBlocks<avx2::BlockSearch>(tree, search, grid.extent, searching, result);
   }

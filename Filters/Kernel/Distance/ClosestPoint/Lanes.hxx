@@ -4,8 +4,8 @@
 /**
  * @file
  * Eight floats side by side, by the vector extensions of GCC and Clang. Included once for every
- * instruction set, inside a namespace of its own: no guard, no includes. Only operations that
- * round the same way on every processor are used, so all sets give the same bits.
+ * instruction set, inside a namespace of its own: no guard, no includes. All operations but
+ * roughSum() round the same way on every processor, so all sets give the same bits.
  */
 
 // The alignment is said again because without AVX the compiler takes 16.
@@ -70,6 +70,16 @@ inline unsigned maskOf(IntLanes comparison)
     mask |= comparison[k] ? 1U << k : 0U;
   }
   return mask;
+#endif
+}
+
+/// a * b + c, rounded once or twice: for bounds that have a margin, not for results.
+inline Lanes roughSum(Lanes a, Lanes b, Lanes c)
+{
+#if EVOLVING_LANES_HAVE_AVX
+  return __builtin_ia32_vfmaddps256(a, b, c);
+#else
+  return a * b + c;
 #endif
 }
 
