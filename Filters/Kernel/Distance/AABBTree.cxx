@@ -94,7 +94,6 @@ bool isCloser(const Candidate& a, const Candidate& b)
 
 AABBTree::AABBTree(const SurfaceMesh& mesh, const Execution& execution)
 {
-  this->Triangles.reserve(static_cast<std::size_t>(mesh.faceCount()));
   for (Index face = 0; face < mesh.faceCount(); ++face)
   {
     if (mesh.faceSize(face) != 3)
@@ -104,9 +103,8 @@ AABBTree::AABBTree(const SurfaceMesh& mesh, const Execution& execution)
               << " corners, expected 3; triangulate the mesh before building a tree.";
       throw InputError(message.str());
     }
-    this->Triangles.push_back(
-      { { mesh.facePoint(face, 0), mesh.facePoint(face, 1), mesh.facePoint(face, 2) } });
   }
+  this->Triangles = trianglesOf(mesh);
   this->Measured.reserve(this->Triangles.size());
   for (const Triangle& triangle : this->Triangles)
   {

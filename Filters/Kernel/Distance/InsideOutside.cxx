@@ -8,6 +8,7 @@
 #include "Distance/PseudonormalSign.h"
 #include "Distance/Pseudonormals.h"
 #include "Distance/WindingNumber.h"
+#include "Distance/WindingSign.h"
 #include "Errors.h"
 
 #include <cmath>
@@ -18,8 +19,6 @@ namespace evolving
 
 namespace
 {
-
-constexpr double Threshold = 0.5; ///< of the winding number
 
 std::size_t at(GridIndex i)
 {
@@ -60,84 +59,6 @@ SignChoice choiceForSurface(const OrientationSummary& surface)
   return { SignMethod::WindingNumber, reason.str() };
 }
 
-/**
- * Carries the side of one sample on to the next, where nothing can have changed it. Between
- * crossings of the surface the winding number changes only by the field of the surface's open
- * edges, by Biot and Savart at most length / (4 pi distance^2) per unit of way, and the edges
- * are no closer than the surface.
- */
-class WindingRun
-{
-public:
-  WindingRun(const WindingNumber& winding, double openLength, double step)
-    : Winding(winding)
-    , ChangePerStep(openLength * step / (4.0 * 3.14159265358979323846))
-    , Step(step)
-  {
-  }
-
-  bool isInside(const Vec3& point, double clearance)
-  {
-    constexpr double Rounding = 1.0 + 1e-6;
-    const double gap = 0.5 * (this->LastClearance + clearance - Rounding * this->Step);
-    this->LastClearance = clearance;
-    this->Margin -= gap > 0.0 ? this->ChangePerStep / (gap * gap) : this->Margin + 1.0;
-    if (this->Margin < 0.0)
-    {
-      const double winding = this->Winding.at(point);
-      this->Inside = winding > Threshold;
-      this->Margin = std::abs(winding - Threshold) - 2.0 * WindingNumber::Tolerance;
-    }
-    return this->Inside;
-  }
-
-private:
-  const WindingNumber& Winding;
-  double ChangePerStep;
-  double Step;
-  double LastClearance = 0.0;
-  double Margin = -1.0; ///< by how much the winding number may change without a doubt
-  bool Inside = false;
-};
-
-std::vector<Triangle> trianglesOf(const SurfaceMesh& mesh)
-{
-  std::vector<Triangle> triangles;
-  triangles.reserve(static_cast<std::size_t>(mesh.faceCount()));
-  for (Index face = 0; face < mesh.faceCount(); ++face)
-  {
-    triangles.push_back(triangleOf(mesh, face));
-  }
-  return triangles;
-}
-
-std::vector<char> insideByWindingNumber(const DistanceTarget& target, const DistanceGrid& grid,
-  const std::vector<float>& clearance, const Execution& execution)
-{
-  const WindingNumber winding(trianglesOf(target.mesh));
-  std::vector<char> inside(clearance.size(), 0);
-  const int width = grid.dimension(0);
-  const Extent& e = grid.extent;
-  constexpr std::int64_t RowGrain = 16;
-  execution.forRangeReporting(std::int64_t(grid.dimension(1)) * grid.dimension(2), RowGrain,
-    [&](std::int64_t begin, std::int64_t end)
-    {
-      for (std::int64_t row = begin; row < end; ++row)
-      {
-        const int j = e[2] + static_cast<int>(row % grid.dimension(1));
-        const int k = e[4] + static_cast<int>(row / grid.dimension(1));
-        WindingRun run(winding, target.orientation.openLength, grid.spacing.x());
-        for (int i = 0; i < width; ++i)
-        {
-          const std::size_t sample = at(row * width + i);
-          inside[sample] =
-            run.isInside(grid.point(e[0] + i, j, k), static_cast<double>(clearance[sample]));
-        }
-      }
-    });
-  return inside;
-}
-
 Vec3 samplePoint(const DistanceGrid& grid, GridIndex sample)
 {
   const GridIndex row = sample / grid.dimension(0);
@@ -167,7 +88,7 @@ std::vector<char> insideByFloodFill(const DistanceTarget& target, const Distance
   {
     winding = WindingNumber(trianglesOf(target.mesh));
     queries.isInside = [&](GridIndex sample)
-    { return winding.at(samplePoint(grid, sample)) > Threshold; };
+    { return winding.at(samplePoint(grid, sample)) > WindingThreshold; };
   }
   return floodFill(grid, clearance, queries, execution);
 }

@@ -168,9 +168,11 @@ void countEdges(const SurfaceMesh& mesh, const TriangleEdges& edges, Orientation
     if (upwards != 0)
     {
       const Index corner = *edges.begin(edge);
-      const Vec3 along =
-        mesh.facePoint(corner / 3, (corner + 1) % 3) - mesh.facePoint(corner / 3, corner % 3);
+      const Index from = mesh.faceVertex(corner / 3, corner % 3);
+      const Index to = mesh.faceVertex(corner / 3, (corner + 1) % 3);
+      const Vec3 along = mesh.points[at(to)] - mesh.points[at(from)];
       summary.openLength += std::abs(upwards) * along.norm();
+      summary.openEdges.push_back({ from, to });
     }
   }
 }

@@ -12,6 +12,7 @@
 #include "Mesh/SurfaceMesh.h"
 #include "Types.h"
 
+#include <array>
 #include <vector>
 
 namespace evolving
@@ -27,6 +28,7 @@ struct OrientationSummary
   Index conflictingEdges = 0;     ///< edges whose two faces still disagree: a one-sided surface
   bool componentsOverlap = false; ///< do the boxes of two components intersect?
   double openLength = 0.0;        ///< of the edges along which directed faces do not cancel
+  std::vector<std::array<Index, 2>> openEdges; ///< these edges, by their vertices
 
   bool isClosed() const { return this->boundaryEdges == 0 && this->nonManifoldEdges == 0; }
   bool isOriented() const { return this->conflictingEdges == 0; }

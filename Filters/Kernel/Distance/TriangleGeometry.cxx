@@ -102,6 +102,17 @@ Box Triangle::box() const
   return result;
 }
 
+std::vector<Triangle> trianglesOf(const SurfaceMesh& mesh)
+{
+  std::vector<Triangle> triangles;
+  triangles.reserve(static_cast<std::size_t>(mesh.faceCount()));
+  for (Index face = 0; face < mesh.faceCount(); ++face)
+  {
+    triangles.push_back(triangleOf(mesh, face));
+  }
+  return triangles;
+}
+
 bool isDegenerate(const Triangle& triangle)
 {
   const Vec3 ab = triangle.corners[1] - triangle.corners[0];

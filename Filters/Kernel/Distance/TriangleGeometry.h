@@ -14,6 +14,7 @@
 #include "Types.h"
 
 #include <array>
+#include <vector>
 
 namespace evolving
 {
@@ -33,6 +34,9 @@ inline Triangle triangleOf(const SurfaceMesh& mesh, Index face)
 {
   return { { mesh.facePoint(face, 0), mesh.facePoint(face, 1), mesh.facePoint(face, 2) } };
 }
+
+/// All of them.
+std::vector<Triangle> trianglesOf(const SurfaceMesh& mesh);
 
 /// Where on a triangle a point lies. Edge k runs from corner k to corner k + 1.
 enum class TriangleFeature : std::uint8_t

@@ -13,7 +13,7 @@ namespace evolving
 namespace
 {
 
-SurfaceMesh trianglesOf(const SurfaceMesh& surface)
+SurfaceMesh triangulated(const SurfaceMesh& surface)
 {
   std::vector<Index> oldFace;
   return triangulate(surface, oldFace);
@@ -22,7 +22,7 @@ SurfaceMesh trianglesOf(const SurfaceMesh& surface)
 } // namespace
 
 SurfaceProjector::SurfaceProjector(const SurfaceMesh& surface, const Execution& execution)
-  : Tree(trianglesOf(surface), execution)
+  : Tree(triangulated(surface), execution)
 {
 }
 

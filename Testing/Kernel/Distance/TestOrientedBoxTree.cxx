@@ -20,16 +20,6 @@ namespace
 
 constexpr double Margin = 1e-4;
 
-std::vector<Triangle> trianglesOf(const SurfaceMesh& mesh)
-{
-  std::vector<Triangle> triangles;
-  for (Index face = 0; face < mesh.faceCount(); ++face)
-  {
-    triangles.push_back(triangleOf(mesh, face));
-  }
-  return triangles;
-}
-
 /// By how much a point sticks out of a box of a fan; 0 inside.
 double excess(const BoxFan& fan, int box, const Vec3& point)
 {

@@ -16,11 +16,6 @@ using namespace evolving::test;
 namespace
 {
 
-std::vector<Triangle> trianglesOf(const SurfaceMesh& mesh)
-{
-  return AABBTree(mesh).triangles();
-}
-
 double exactSum(const std::vector<Triangle>& triangles, const Vec3& point)
 {
   double sum = 0.0;

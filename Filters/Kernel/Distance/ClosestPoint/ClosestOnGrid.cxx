@@ -142,13 +142,12 @@ double largestCoordinate(const SurfaceMesh& mesh, const DistanceGrid& grid)
 std::vector<Triangle> trianglesInCells(const SurfaceMesh& mesh, const DistanceGrid& grid)
 {
   const double unit = longestSpacing(grid);
-  std::vector<Triangle> triangles(static_cast<std::size_t>(mesh.faceCount()));
-  for (Index face = 0; face < mesh.faceCount(); ++face)
+  std::vector<Triangle> triangles = trianglesOf(mesh);
+  for (Triangle& triangle : triangles)
   {
-    for (Index k = 0; k < 3; ++k)
+    for (Vec3& corner : triangle.corners)
     {
-      triangles[static_cast<std::size_t>(face)].corners[static_cast<std::size_t>(k)] =
-        (mesh.facePoint(face, k) - grid.origin) / unit;
+      corner = (corner - grid.origin) / unit;
     }
   }
   return triangles;
