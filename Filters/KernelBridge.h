@@ -4,8 +4,8 @@
 /**
  * @file
  * Where VTK meets the kernel: the only place that knows both worlds (KernelBridge.cxx runs the
- * kernel, KernelBridgeRead.cxx and KernelBridgeWrite.cxx translate data). Private to the module;
- * it hands the kernel's headers on to the filters.
+ * kernel, KernelBridgeRead.cxx and KernelBridgeWrite.cxx translate data, KernelBridgeHash.cxx tells
+ * contents apart). Private to the module; it hands the kernel's headers on to the filters.
  */
 
 #ifndef KernelBridge_h
