@@ -156,8 +156,8 @@ void AddFieldValue(vtkDataObject* data, const char* name, const std::string& val
 
 ///@{
 /**
- * The piece that an update asks for, by the rules for several ranks: surface filters ask
- * their producers for the whole surface, and only piece 0 writes geometry.
+ * The piece that an update asks for: the whole (which rank asks for what is DistributedInput's
+ * matter), and whether it is to be written: only piece 0 has geometry.
  */
 void RequestWholeInput(vtkInformation* inputRequest);
 void RequestWholeImage(vtkInformation* inputRequest);
