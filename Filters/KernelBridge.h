@@ -4,8 +4,8 @@
 /**
  * @file
  * Where VTK meets the kernel: the only place that knows both worlds (KernelBridge.cxx runs the
- * kernel, KernelBridgeRead.cxx and KernelBridgeWrite.cxx translate data). Private to the module;
- * it hands the kernel's headers on to the filters.
+ * kernel, KernelBridgeRead.cxx and KernelBridgeWrite.cxx translate data, KernelBridgeHash.cxx tells
+ * contents apart). Private to the module; it hands the kernel's headers on to the filters.
  */
 
 #ifndef KernelBridge_h
@@ -156,8 +156,8 @@ void AddFieldValue(vtkDataObject* data, const char* name, const std::string& val
 
 ///@{
 /**
- * The piece that an update asks for, by the rules for several ranks: surface filters ask
- * their producers for the whole surface, and only piece 0 writes geometry.
+ * The piece that an update asks for: the whole (which rank asks for what is DistributedInput's
+ * matter), and whether it is to be written: only piece 0 has geometry.
  */
 void RequestWholeInput(vtkInformation* inputRequest);
 void RequestWholeImage(vtkInformation* inputRequest);

@@ -6,7 +6,6 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
@@ -17,7 +16,6 @@
 #include "vtkPolygon.h"
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -154,26 +152,6 @@ Surface SplitIntoTriangles(const Surface& surface)
   return split;
 }
 
-//------------------------------------------------------------------------------
-/// FNV-1a over the bytes of an array's values.
-void HashArray(vtkDataArray* array, std::uint64_t& hash)
-{
-  if (!array)
-  {
-    return;
-  }
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-  {
-    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-    {
-      std::uint64_t bits = 0;
-      const double value = array->GetComponent(i, c);
-      std::memcpy(&bits, &value, sizeof(bits));
-      hash = (hash ^ bits) * 1099511628211ULL;
-    }
-  }
-}
-
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -283,35 +261,6 @@ int PointType(vtkPointSet* input)
 {
   const bool isDouble = input->GetPoints() && input->GetPoints()->GetDataType() == VTK_DOUBLE;
   return isDouble ? VTK_DOUBLE : VTK_FLOAT;
-}
-
-//------------------------------------------------------------------------------
-std::uint64_t ContentHash(vtkDataSet* data)
-{
-  std::uint64_t hash = 14695981039346656037ULL;
-  if (auto* image = vtkImageData::SafeDownCast(data))
-  {
-    vtkNew<vtkDoubleArray> layout;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      layout->InsertNextValue(image->GetOrigin()[axis]);
-      layout->InsertNextValue(image->GetSpacing()[axis]);
-      layout->InsertNextValue(image->GetExtent()[2 * axis]);
-      layout->InsertNextValue(image->GetExtent()[2 * axis + 1]);
-    }
-    HashArray(layout, hash);
-    HashArray(image->GetPointData()->GetScalars(), hash);
-  }
-  if (auto* surface = vtkPolyData::SafeDownCast(data))
-  {
-    HashArray(surface->GetPoints() ? surface->GetPoints()->GetData() : nullptr, hash);
-    for (vtkCellArray* cells : { surface->GetVerts(), surface->GetPolys(), surface->GetStrips() })
-    {
-      HashArray(cells->GetOffsetsArray(), hash);
-      HashArray(cells->GetConnectivityArray(), hash);
-    }
-  }
-  return hash;
 }
 
 } // namespace KernelBridge

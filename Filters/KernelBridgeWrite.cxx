@@ -82,7 +82,10 @@ void CopyWithoutTuples(vtkPolyData* input, vtkPolyData* output)
   output->Initialize();
   if (input)
   {
+    // Global ids too, which VTK copies only where it is told that they stay true.
+    output->GetPointData()->CopyAllOn();
     output->GetPointData()->CopyAllocate(input->GetPointData());
+    output->GetCellData()->CopyAllOn();
     output->GetCellData()->CopyAllocate(input->GetCellData());
   }
 }

@@ -3,6 +3,7 @@
 
 #include "vtkDistanceHierarchy.h"
 
+#include "DistributedInput.h"
 #include "KernelBridge.h"
 
 #include "vtkCellArray.h"
@@ -115,6 +116,15 @@ void AddOctreeBoxes(const evolving::DistanceOctree& octree, int level, BoxWriter
 } // namespace
 
 //------------------------------------------------------------------------------
+vtkDistanceHierarchy::vtkDistanceHierarchy()
+  : WholeInput(std::make_unique<DistributedInput>())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkDistanceHierarchy::~vtkDistanceHierarchy() = default;
+
+//------------------------------------------------------------------------------
 void vtkDistanceHierarchy::SetSampleDimensions(int x, int y, int z)
 {
   const int dimensions[3] = { x, y, z };
@@ -131,10 +141,17 @@ void vtkDistanceHierarchy::SetSampleDimensions(const int dimensions[3])
 }
 
 //------------------------------------------------------------------------------
+int vtkDistanceHierarchy::ModifyRequest(vtkInformation* request, int when)
+{
+  this->WholeInput->Exchange(this, request, when);
+  return this->Superclass::ModifyRequest(request, when);
+}
+
+//------------------------------------------------------------------------------
 int vtkDistanceHierarchy::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  KernelBridge::RequestWholeInput(inputVector[0]->GetInformationObject(0));
+  this->WholeInput->RequestSurface(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 
@@ -142,7 +159,11 @@ int vtkDistanceHierarchy::RequestUpdateExtent(
 int vtkDistanceHierarchy::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  if (this->WholeInput->IsRefused())
+  {
+    return 0;
+  }
+  vtkPolyData* input = this->WholeInput->Surface(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   BoxWriter boxes;
   if (!KernelBridge::WritesGeometry(request, outputVector))

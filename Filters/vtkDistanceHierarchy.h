@@ -19,6 +19,10 @@
 #include "vtkEvolvingSurfacesFiltersModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory> // For std::unique_ptr
+
+class DistributedInput;
+
 class VTKEVOLVINGSURFACESFILTERS_EXPORT vtkDistanceHierarchy : public vtkPolyDataAlgorithm
 {
 public:
@@ -79,9 +83,10 @@ public:
   ///@}
 
 protected:
-  vtkDistanceHierarchy() = default;
-  ~vtkDistanceHierarchy() override = default;
+  vtkDistanceHierarchy();
+  ~vtkDistanceHierarchy() override;
 
+  int ModifyRequest(vtkInformation* request, int when) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -94,6 +99,8 @@ private:
   int SampleDimensions[3] = { 128, 128, 128 };
   double Padding = 0.1;
   double ModelBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+
+  std::unique_ptr<DistributedInput> WholeInput;
 };
 
 #endif

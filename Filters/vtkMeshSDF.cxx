@@ -3,6 +3,7 @@
 
 #include "vtkMeshSDF.h"
 
+#include "DistributedInput.h"
 #include "KernelBridge.h"
 
 #include "vtkDataArray.h"
@@ -105,9 +106,13 @@ void WriteImage(const evolving::DistanceGrid& grid, const evolving::Extent& part
 
 //------------------------------------------------------------------------------
 vtkMeshSDF::vtkMeshSDF()
+  : WholeInput(std::make_unique<DistributedInput>())
 {
   this->SetNumberOfInputPorts(1);
 }
+
+//------------------------------------------------------------------------------
+vtkMeshSDF::~vtkMeshSDF() = default;
 
 //------------------------------------------------------------------------------
 void vtkMeshSDF::SetSampleDimensions(int x, int y, int z)
@@ -193,10 +198,17 @@ int vtkMeshSDF::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
+int vtkMeshSDF::ModifyRequest(vtkInformation* request, int when)
+{
+  this->WholeInput->Exchange(this, request, when);
+  return this->Superclass::ModifyRequest(request, when);
+}
+
+//------------------------------------------------------------------------------
 int vtkMeshSDF::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  KernelBridge::RequestWholeInput(inputVector[0]->GetInformationObject(0));
+  this->WholeInput->RequestSurface(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 
@@ -204,7 +216,11 @@ int vtkMeshSDF::RequestUpdateExtent(
 int vtkMeshSDF::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  if (this->WholeInput->IsRefused())
+  {
+    return 0;
+  }
+  vtkPolyData* input = this->WholeInput->Surface(inputVector[0]);
   vtkImageData* output = vtkImageData::GetData(outputVector);
   const evolving::Extent part = RequestedExtent(outputVector->GetInformationObject(0));
   output->Initialize();
@@ -216,7 +232,8 @@ int vtkMeshSDF::RequestData(
   return KernelBridge::RunToOutputs(this, { output },
     [&](const evolving::Execution& execution)
     {
-      const KernelBridge::Surface surface = ReadInput(input);
+      KernelBridge::Surface surface = ReadInput(input);
+      this->WholeInput->NameCells(surface.cellOfFace);
       const evolving::DistanceGrid grid = this->GridFor(surface.mesh);
       const evolving::SignedDistanceOptions options = this->Options();
       const evolving::Extent computed = evolving::canComputeParts(options) ? part : grid.extent;

@@ -17,8 +17,10 @@
  * data say which sign method was used (`SignMethod`, an int) and why (`SignReason`, a sentence).
  *
  * Any update extent is computed alone where the method allows that; FastSweeping and FloodFill
- * need the whole grid and hand out the part. Every rank of a parallel run reads the whole surface
- * and computes its part of the grid.
+ * need the whole grid and hand out the part. In a parallel run every rank computes its part of the
+ * grid from the whole surface: an input that is spread over the ranks is gathered first, and one
+ * that cannot be gathered is refused. All ranks must update the filter, as for every filter that
+ * exchanges data.
  *
  * Chapter 5 of M. Cavarga, "Optimal Discretization of 3D Objects by Evolving Surfaces", 2020.
  * Zhao, "A fast sweeping method for eikonal equations", Math. Comp. 74, 2005.
@@ -35,7 +37,9 @@
 #include "vtkEvolvingSurfacesFiltersModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 
-class vtkPolyData;
+#include <memory> // For std::unique_ptr
+
+class DistributedInput;
 
 namespace evolving
 {
@@ -165,8 +169,10 @@ public:
 
   ///@{
   /**
-   * Add the point array `ClosestCellId`: the input cell that the closest point lies on. Off by
-   * default.
+   * Add the point array `ClosestCellId`: the input cell that the closest point lies on. When the
+   * input was gathered from several ranks, it is the cell's global id if the input has some
+   * (vtkGenerateGlobalIds makes them), otherwise cells are counted rank after rank without ghosts:
+   * first all vertices, then lines, polygons and strips. Off by default.
    */
   vtkSetMacro(ComputeClosestCellId, bool);
   vtkGetMacro(ComputeClosestCellId, bool);
@@ -185,10 +191,11 @@ public:
 
 protected:
   vtkMeshSDF();
-  ~vtkMeshSDF() override = default;
+  ~vtkMeshSDF() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int ModifyRequest(vtkInformation* request, int when) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -211,6 +218,8 @@ private:
   bool ComputeClosestPoint = false;
   bool ComputeClosestCellId = false;
   bool ComputeGradient = false;
+
+  std::unique_ptr<DistributedInput> WholeInput;
 };
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "vtkShrinkWrap.h"
 
+#include "DistributedInput.h"
 #include "EvolutionSeries.h"
 #include "KernelBridge.h"
 #include "TimeSteps.h"
@@ -72,6 +73,7 @@ struct vtkShrinkWrap::Cache
 //------------------------------------------------------------------------------
 vtkShrinkWrap::vtkShrinkWrap()
   : Solved(std::make_unique<Cache>())
+  , WholeInput(std::make_unique<DistributedInput>())
 {
   this->SetNumberOfOutputPorts(2);
 }
@@ -130,12 +132,19 @@ int vtkShrinkWrap::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
+int vtkShrinkWrap::ModifyRequest(vtkInformation* request, int when)
+{
+  this->WholeInput->Exchange(this, request, when);
+  return this->Superclass::ModifyRequest(request, when);
+}
+
+//------------------------------------------------------------------------------
 int vtkShrinkWrap::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
-  KernelBridge::RequestWholeInput(input);
   TimeSteps::RequestLastStep(input);
+  this->WholeInput->RequestSurface(input);
   return 1;
 }
 
@@ -143,7 +152,11 @@ int vtkShrinkWrap::RequestUpdateExtent(
 int vtkShrinkWrap::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  if (this->WholeInput->IsRefused())
+  {
+    return 0;
+  }
+  vtkPolyData* input = this->WholeInput->Surface(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* history = vtkTable::GetData(outputVector, 1);
   if (!KernelBridge::WritesGeometry(request, outputVector))

@@ -34,8 +34,10 @@
 #include "vtkEvolvingSurfacesFiltersModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <memory> // For the cached series
+#include <memory> // For std::unique_ptr
 #include <vector> // For the times
+
+class DistributedInput;
 
 namespace evolving
 {
@@ -161,6 +163,7 @@ protected:
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int ModifyRequest(vtkInformation* request, int when) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -187,6 +190,7 @@ private:
 
   struct Cache;
   std::unique_ptr<Cache> Solved;
+  std::unique_ptr<DistributedInput> WholeInput;
 };
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "vtkSurfaceEvolution.h"
 
+#include "DistributedInput.h"
 #include "EvolutionSeries.h"
 #include "KernelBridge.h"
 #include "TimeSteps.h"
@@ -70,6 +71,7 @@ struct vtkSurfaceEvolution::Cache
 //------------------------------------------------------------------------------
 vtkSurfaceEvolution::vtkSurfaceEvolution()
   : Solved(std::make_unique<Cache>())
+  , WholeInput(std::make_unique<DistributedInput>())
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
@@ -137,12 +139,19 @@ int vtkSurfaceEvolution::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
+int vtkSurfaceEvolution::ModifyRequest(vtkInformation* request, int when)
+{
+  this->WholeInput->Exchange(this, request, when);
+  return this->Superclass::ModifyRequest(request, when);
+}
+
+//------------------------------------------------------------------------------
 int vtkSurfaceEvolution::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   vtkInformation* surface = inputVector[0]->GetInformationObject(0);
-  KernelBridge::RequestWholeInput(surface);
   TimeSteps::RequestLastStep(surface);
+  this->WholeInput->RequestSurface(surface);
   if (vtkInformation* field = inputVector[1]->GetInformationObject(0))
   {
     KernelBridge::RequestWholeImage(field);
@@ -155,7 +164,11 @@ int vtkSurfaceEvolution::RequestUpdateExtent(
 int vtkSurfaceEvolution::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  if (this->WholeInput->IsRefused())
+  {
+    return 0;
+  }
+  vtkPolyData* input = this->WholeInput->Surface(inputVector[0]);
   vtkImageData* field = vtkImageData::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* history = vtkTable::GetData(outputVector, 1);

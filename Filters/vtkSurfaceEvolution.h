@@ -44,9 +44,10 @@
 #include "vtkEvolvingSurfacesFiltersModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <memory> // For the cached series
+#include <memory> // For std::unique_ptr
 #include <vector> // For the published iterations
 
+class DistributedInput;
 class EvolutionSeries;
 class vtkImageData;
 class vtkPolyData;
@@ -372,6 +373,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int ModifyRequest(vtkInformation* request, int when) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -414,6 +416,7 @@ private:
 
   struct Cache;
   std::unique_ptr<Cache> Solved;
+  std::unique_ptr<DistributedInput> WholeInput;
 };
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "vtkTangentialRedistribution.h"
 
+#include "DistributedInput.h"
 #include "EvolutionSeries.h"
 #include "KernelBridge.h"
 
@@ -12,6 +13,15 @@
 #include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkTangentialRedistribution);
+
+//------------------------------------------------------------------------------
+vtkTangentialRedistribution::vtkTangentialRedistribution()
+  : WholeInput(std::make_unique<DistributedInput>())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkTangentialRedistribution::~vtkTangentialRedistribution() = default;
 
 //------------------------------------------------------------------------------
 evolving::SurfaceRedistributionOptions vtkTangentialRedistribution::Options() const
@@ -34,10 +44,17 @@ evolving::SurfaceRedistributionOptions vtkTangentialRedistribution::Options() co
 }
 
 //------------------------------------------------------------------------------
+int vtkTangentialRedistribution::ModifyRequest(vtkInformation* request, int when)
+{
+  this->WholeInput->Exchange(this, request, when);
+  return this->Superclass::ModifyRequest(request, when);
+}
+
+//------------------------------------------------------------------------------
 int vtkTangentialRedistribution::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  KernelBridge::RequestWholeInput(inputVector[0]->GetInformationObject(0));
+  this->WholeInput->RequestSurface(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 
@@ -45,7 +62,11 @@ int vtkTangentialRedistribution::RequestUpdateExtent(
 int vtkTangentialRedistribution::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  if (this->WholeInput->IsRefused())
+  {
+    return 0;
+  }
+  vtkPolyData* input = this->WholeInput->Surface(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   if (!KernelBridge::WritesGeometry(request, outputVector))
   {

@@ -26,6 +26,10 @@
 #include "vtkEvolvingSurfacesFiltersModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory> // For std::unique_ptr
+
+class DistributedInput;
+
 namespace evolving
 {
 struct SurfaceRedistributionOptions;
@@ -170,9 +174,10 @@ public:
   ///@}
 
 protected:
-  vtkTangentialRedistribution() = default;
-  ~vtkTangentialRedistribution() override = default;
+  vtkTangentialRedistribution();
+  ~vtkTangentialRedistribution() override;
 
+  int ModifyRequest(vtkInformation* request, int when) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -193,6 +198,8 @@ private:
   bool PreserveShape = true;
   int BoundaryMode = SLIDE_ALONG;
   double FeatureAngle = 40.0;
+
+  std::unique_ptr<DistributedInput> WholeInput;
 };
 
 #endif

@@ -3,6 +3,7 @@
 
 // vtkSurfaceEvolution: when it solves again, and what it keeps.
 
+#include "ChangedSurfaces.h"
 #include "DataChecks.h"
 #include "EventLog.h"
 #include "SampleSurfaces.h"
@@ -82,6 +83,24 @@ TEST(SurfaceEvolutionCache, TheSameContentIsNoNewSolve)
   source->SetRadius(2.0);
   filter->Update();
   EXPECT_EQ(filter->GetNumberOfSolves(), 2);
+}
+
+//------------------------------------------------------------------------------
+TEST(SurfaceEvolutionCache, AMirroredSurfaceIsAnotherSolve)
+{
+  // The same digits with other signs, and an even number of them.
+  const auto surface = Sample::Icosphere(1, 1.0, { 2.0, 0.0, 0.0 });
+  vtkNew<vtkSurfaceEvolution> filter;
+  filter->SetInputData(surface);
+  Prepare(filter, 2);
+  filter->Update();
+  filter->SetInputData(Sample::Mapped(surface,
+    [](const Sample::Point& p) {
+      return Sample::Point{ -p[0], p[1], p[2] };
+    }));
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfSolves(), 2);
+  EXPECT_LT(filter->GetOutput()->GetBounds()[1], 0.0);
 }
 
 //------------------------------------------------------------------------------

@@ -16,6 +16,9 @@ import tempfile
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 CODE = (".h", ".cxx", ".hxx")
+# Headers of the module that its public ones may not include.
+PRIVATE_HEADERS = ("DistributedInput.h", "EvolutionSeries.h", "KernelBridge.h", "PartsOnRanks.h",
+                   "TimeSteps.h")
 
 # Which folders of the kernel a folder may include; its own and the root files always.
 KERNEL_ARROWS = {
@@ -73,7 +76,7 @@ def check_filter_file(root, path):
             yield f"includes <{name}>; Eigen stays in the kernel"
         if kernel and not bridge:
             yield f'includes "{name}"; filters talk to the kernel through KernelBridge'
-        if public and name in ("KernelBridge.h", "EvolutionSeries.h", "TimeSteps.h"):
+        if public and name in PRIVATE_HEADERS:
             yield f'includes "{name}", which is private to the module'
 
 
