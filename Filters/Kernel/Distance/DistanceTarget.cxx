@@ -17,6 +17,11 @@ namespace evolving
 namespace
 {
 
+/// Distances are floats, on grids up to 65536 samples longer than the mesh: with these sizes no
+/// distance overflows and no cell vanishes.
+constexpr double SmallestSize = 1e-31;
+constexpr double LargestSize = 1e31;
+
 std::size_t at(Index i)
 {
   return static_cast<std::size_t>(i);
@@ -108,6 +113,19 @@ DistanceTarget targetOfSurface(const SurfaceMesh& mesh)
   return target;
 }
 
+void requireSizeForFloats(const Box& box)
+{
+  const double size = box.sizes().maxCoeff();
+  if (size != 0.0 && !(size >= SmallestSize && size <= LargestSize))
+  {
+    std::ostringstream message;
+    message << "The mesh is " << size << " long, expected a size between " << SmallestSize
+            << " and " << LargestSize
+            << " so that distances fit into single precision; scale it to another unit.";
+    throw InputError(message.str());
+  }
+}
+
 } // namespace
 
 DistanceTarget makeDistanceTarget(const SurfaceMesh& mesh)
@@ -119,7 +137,9 @@ DistanceTarget makeDistanceTarget(const SurfaceMesh& mesh)
                      "check what produces it.");
   }
   DistanceTarget target = mesh.faceCount() == 0 ? targetOfPoints(mesh) : targetOfSurface(mesh);
-  target.center = boundingBox(target.mesh).center();
+  const Box box = boundingBox(target.mesh);
+  requireSizeForFloats(box);
+  target.center = box.center();
   for (Vec3& point : target.mesh.points)
   {
     point -= target.center;
