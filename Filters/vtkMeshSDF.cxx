@@ -19,8 +19,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <limits>
-#include <sstream>
 #include <vector>
 
 vtkStandardNewMacro(vtkMeshSDF);
@@ -75,25 +73,6 @@ KernelBridge::Surface ReadInput(vtkPolyData* input)
     return KernelBridge::ReadTriangles(input);
   }
   return KernelBridge::ReadPointSet(input);
-}
-
-//------------------------------------------------------------------------------
-/// ModelBounds may lie so far from the surface, or be so small, that floats cannot tell.
-void RequireFloatDistances(const evolving::Box& surface, const evolving::DistanceGrid& grid)
-{
-  const evolving::Extent& e = grid.extent;
-  evolving::Box all = surface;
-  all.extend(grid.point(e[0], e[2], e[4]));
-  all.extend(grid.point(e[1], e[3], e[5]));
-  const double farthest = all.diagonal().norm();
-  using Float = std::numeric_limits<float>;
-  if (!(farthest < Float::max()) || grid.spacing.minCoeff() < Float::min())
-  {
-    std::ostringstream message;
-    message << "ModelBounds make cells of " << grid.spacing.minCoeff() << " and distances up to "
-            << farthest << ", which single precision cannot hold; correct them.";
-    throw evolving::InputError(message.str());
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -239,10 +218,7 @@ int vtkMeshSDF::RequestData(
     {
       const KernelBridge::Surface surface = ReadInput(input);
       const evolving::DistanceGrid grid = this->GridFor(surface.mesh);
-      if (KernelBridge::AreValidBounds(this->ModelBounds))
-      {
-        RequireFloatDistances(evolving::boundingBox(surface.mesh), grid);
-      }
+      evolving::requireDistancesForFloats(evolving::boundingBox(surface.mesh), grid);
       const evolving::SignedDistanceOptions options = this->Options();
       const evolving::Extent computed = evolving::canComputeParts(options) ? part : grid.extent;
       KernelBridge::RequireMemory(grid.part(computed).sampleCount());

@@ -3,6 +3,7 @@
 
 #include "Distance/DistanceTarget.h"
 
+#include "Distance/FloatRange.h"
 #include "Distance/PolygonTriangulation.h"
 #include "Errors.h"
 
@@ -16,11 +17,6 @@ namespace evolving
 
 namespace
 {
-
-/// Distances are floats, on grids up to 65536 samples longer than the mesh: with these sizes no
-/// distance overflows and no cell vanishes.
-constexpr double SmallestSize = 1e-31;
-constexpr double LargestSize = 1e31;
 
 std::size_t at(Index i)
 {
@@ -111,19 +107,6 @@ DistanceTarget targetOfSurface(const SurfaceMesh& mesh)
   }
   dropDuplicates(target.mesh, target.oldNumber);
   return target;
-}
-
-void requireSizeForFloats(const Box& box)
-{
-  const double size = box.sizes().maxCoeff();
-  if (size != 0.0 && !(size >= SmallestSize && size <= LargestSize))
-  {
-    std::ostringstream message;
-    message << "The mesh is " << size << " long, expected a size between " << SmallestSize
-            << " and " << LargestSize
-            << " so that distances fit into single precision; scale it to another unit.";
-    throw InputError(message.str());
-  }
 }
 
 } // namespace
