@@ -14,6 +14,7 @@
 #include "Distance/AABBTree.h"
 #include "Distance/DistanceGrid.h"
 #include "Distance/DistanceOctree.h"
+#include "Distance/FloatRange.h"
 #include "Distance/SignedDistance.h"
 #include "Errors.h"
 #include "Evolution/FlowSeries.h"

@@ -259,7 +259,8 @@ evolving::ScalarImage ReadImage(vtkImageData* image)
 //------------------------------------------------------------------------------
 int PointType(vtkPointSet* input)
 {
-  const bool isDouble = input->GetPoints() && input->GetPoints()->GetDataType() == VTK_DOUBLE;
+  const bool isDouble =
+    input && input->GetPoints() && input->GetPoints()->GetDataType() == VTK_DOUBLE;
   return isDouble ? VTK_DOUBLE : VTK_FLOAT;
 }
 

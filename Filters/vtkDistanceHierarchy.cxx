@@ -26,14 +26,18 @@ namespace
 
 constexpr int LargestDimension = 65536;
 constexpr int SidesOfBox = 6;
+constexpr int Leaves = -1;    ///< as a level
+constexpr int AllLevels = -2; ///< as a level
 
 //------------------------------------------------------------------------------
 /// Collects boxes with what is known of each, and writes them as quads.
 class BoxWriter
 {
 public:
-  BoxWriter()
+  /// @param pointType of the coordinates: the input's, so that boxes far from the origin are exact
+  explicit BoxWriter(int pointType)
   {
+    this->Points->SetDataType(pointType);
     this->Level->SetName("Level");
     this->Triangles->SetName("NumberOfTriangles");
     this->Distance->SetName("Distance");
@@ -80,14 +84,15 @@ private:
 };
 
 //------------------------------------------------------------------------------
-/// The nodes of a level, or the leaves when the level is -1.
+/// The nodes of a level, or the leaves, or all nodes.
 void AddTreeBoxes(const evolving::AABBTree& tree, int level, BoxWriter& boxes)
 {
   const auto& nodes = tree.nodes();
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {
     const int nodeLevel = tree.level(static_cast<evolving::Index>(i));
-    if (level < 0 ? nodes[i].isLeaf() : nodeLevel == level)
+    const bool isWanted = level == Leaves ? nodes[i].isLeaf() : nodeLevel == level;
+    if (level == AllLevels || isWanted)
     {
       boxes.Add(nodes[i].box, nodeLevel, nodes[i].isLeaf() ? nodes[i].triangleCount : 0, 0.0);
     }
@@ -95,20 +100,25 @@ void AddTreeBoxes(const evolving::AABBTree& tree, int level, BoxWriter& boxes)
 }
 
 //------------------------------------------------------------------------------
+/// The cells of a level, or the leaves, or the cells of all levels; distances are on leaves.
 void AddOctreeBoxes(const evolving::DistanceOctree& octree, int level, BoxWriter& boxes)
 {
-  if (level < 0)
+  const int last = octree.depth();
+  for (int l = 0; l < last; ++l)
+  {
+    if (level == AllLevels || level == l)
+    {
+      for (const auto& cell : octree.cells(l))
+      {
+        boxes.Add(octree.box(cell), l, 0, 0.0);
+      }
+    }
+  }
+  if (level < 0 || level == last)
   {
     for (const auto& leaf : octree.leaves())
     {
-      boxes.Add(octree.box(leaf.cell), octree.depth(), 0, std::sqrt(leaf.squaredDistance));
-    }
-  }
-  else if (level <= octree.depth())
-  {
-    for (const auto& cell : octree.cells(level))
-    {
-      boxes.Add(octree.box(cell), level, 0, 0.0);
+      boxes.Add(octree.box(leaf.cell), last, 0, std::sqrt(leaf.squaredDistance));
     }
   }
 }
@@ -165,7 +175,7 @@ int vtkDistanceHierarchy::RequestData(
   }
   vtkPolyData* input = this->WholeInput->Surface(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  BoxWriter boxes;
+  BoxWriter boxes(KernelBridge::PointType(input));
   if (!KernelBridge::WritesGeometry(request, outputVector))
   {
     boxes.Write(output, this->Structure == AABB_TREE);

@@ -8,7 +8,7 @@
  * vtkDistanceHierarchy makes the boxes of the AABB tree (figure 5.2 of the thesis) or of the octree
  * (figure 5.4) of a surface, six quads each. Cell arrays: `Level` (int, 0 is the root),
  * `NumberOfTriangles` (int; AABB tree: triangles in the leaf, 0 for inner nodes), `Distance`
- * (double; octree: distance at the centroid of a leaf).
+ * (double; octree: distance at the centroid of a leaf, 0 for larger cells).
  *
  * @sa vtkMeshSDF
  */
@@ -49,10 +49,10 @@ public:
 
   ///@{
   /**
-   * The level whose boxes are made, 0 being the root; -1, the default, makes the leaves. The range
-   * is -1 to 64.
+   * The level whose boxes are made, 0 being the root; -1, the default, makes the leaves, -2 the
+   * boxes of all levels. The range is -2 to 64.
    */
-  vtkSetClampMacro(Level, int, -1, 64);
+  vtkSetClampMacro(Level, int, -2, 64);
   vtkGetMacro(Level, int);
   ///@}
 

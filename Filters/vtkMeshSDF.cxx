@@ -235,6 +235,7 @@ int vtkMeshSDF::RequestData(
       KernelBridge::Surface surface = ReadInput(input);
       this->WholeInput->NameCells(surface.cellOfFace);
       const evolving::DistanceGrid grid = this->GridFor(surface.mesh);
+      evolving::requireDistancesForFloats(evolving::boundingBox(surface.mesh), grid);
       const evolving::SignedDistanceOptions options = this->Options();
       const evolving::Extent computed = evolving::canComputeParts(options) ? part : grid.extent;
       KernelBridge::RequireMemory(grid.part(computed).sampleCount());

@@ -10,11 +10,15 @@
  * array `SignedDistance`, so that contour, slice and volume filters take it as it is.
  *
  * The input's triangles, quads, polygons and strips are the surface, however dirty: coincident
- * points are joined first, faces may be duplicated, flipped, degenerate or open. An input of
- * vertices or points only is a point set and gets unsigned distances.
+ * points are joined first, faces may be duplicated, flipped, degenerate or open. An input without
+ * them is a point set, of its vertices or else of all its points (lines do not count), and gets
+ * unsigned distances. Coordinates that are not finite, point numbers out of range, and sizes
+ * outside 1e-31 ... 1e31 are errors.
  *
  * Which triangle is closest is found by `Method`; which side a sample is on by `Sign`. The field
  * data say which sign method was used (`SignMethod`, an int) and why (`SignReason`, a sentence).
+ * What each sign method makes of open, flipped, nested, crossing and other surfaces is one table,
+ * in the plugin's help: Plugin/Documentation/Inputs.html.
  *
  * Any update extent is computed alone where the method allows that; FastSweeping and FloodFill
  * need the whole grid and hand out the part. In a parallel run every rank computes its part of the
@@ -117,10 +121,10 @@ public:
 
   ///@{
   /**
-   * How inside is told from outside. AUTOMATIC (the default) takes PSEUDONORMAL for closed,
-   * consistently oriented surfaces, WINDING_NUMBER for all others and UNSIGNED for point sets.
-   * FLOOD_FILL calls outside what can be reached from the border of the grid without crossing a
-   * cell of the surface.
+   * How inside is told from outside. AUTOMATIC (the default) takes PSEUDONORMAL for closed
+   * surfaces whose parts are apart, WINDING_NUMBER for all others and UNSIGNED for point sets.
+   * FLOOD_FILL calls outside what can be reached from the border of the grid without crossing the
+   * surface.
    */
   vtkSetClampMacro(Sign, int, AUTOMATIC, UNSIGNED);
   vtkGetMacro(Sign, int);

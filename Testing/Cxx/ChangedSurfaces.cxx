@@ -87,6 +87,17 @@ Surface Mapped(vtkPolyData* surface, Point (*map)(const Point& point))
 }
 
 //------------------------------------------------------------------------------
+Surface InsideOut(vtkPolyData* surface)
+{
+  std::vector<Polygon> polygons = PolygonsOf(surface);
+  for (Polygon& polygon : polygons)
+  {
+    std::reverse(polygon.begin(), polygon.end());
+  }
+  return Make(CoordinatesOf(surface), polygons);
+}
+
+//------------------------------------------------------------------------------
 Surface WithMixedOrientation(vtkPolyData* surface)
 {
   std::vector<Polygon> polygons = PolygonsOf(surface);

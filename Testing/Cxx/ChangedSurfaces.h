@@ -32,6 +32,9 @@ Surface KeepPolygons(vtkPolyData* surface, bool (*kept)(vtkIdType number));
 /// Every point through a map.
 Surface Mapped(vtkPolyData* surface, Point (*map)(const Point& point));
 
+/// Every polygon the other way round.
+Surface InsideOut(vtkPolyData* surface);
+
 /// Polygons whose number is even run the other way.
 Surface WithMixedOrientation(vtkPolyData* surface);
 

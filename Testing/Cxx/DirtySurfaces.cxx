@@ -127,18 +127,6 @@ Surface PointOfTwoFans()
 }
 
 //------------------------------------------------------------------------------
-Surface InsideOut()
-{
-  const auto sphere = Sphere();
-  std::vector<Polygon> polygons = Sample::PolygonsOf(sphere);
-  for (Polygon& polygon : polygons)
-  {
-    std::reverse(polygon.begin(), polygon.end());
-  }
-  return Sample::Make(Sample::CoordinatesOf(sphere), polygons);
-}
-
-//------------------------------------------------------------------------------
 /// Two triangles of the sphere once more, with the same and with the opposite orientation.
 Surface WithDuplicateFaces()
 {
@@ -188,7 +176,7 @@ const std::vector<DirtySurface>& DirtySurfaces()
     { "Sheet", []() { return Sample::Sheet(6); }, R, R, R, R, R },
     { "Open", []() { return Sample::KeepPolygons(Sphere(), [](vtkIdType i) { return i > 0; }); }, R,
       R, R, R, R },
-    { "InsideOut", InsideOut, R, R, R, R, R },
+    { "InsideOut", []() { return Sample::InsideOut(Sphere()); }, R, R, R, R, R },
     { "TwoParts",
       []() {
         return Sample::Together(Sphere(), Sample::Icosphere(2, 1.0, { 4, 0, 0 }));

@@ -15,6 +15,7 @@
 #include "vtkMeshSDF.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
@@ -167,6 +168,46 @@ TEST(DistanceHierarchy, LeavesOfTheOctreeAreCellsOfTheGridWithTheirDistance)
     ASSERT_NEAR(CellValue(leaves, "Distance", SidesOfBox * i), d, 1e-5);
     ASSERT_LE(d, 0.87 * h); // half the diagonal of a cell that meets the surface
   }
+}
+
+//------------------------------------------------------------------------------
+TEST(DistanceHierarchy, AllLevelsTogetherAreTheLevels)
+{
+  const auto surface = Sample::Icosphere(2);
+  for (const int structure : { vtkDistanceHierarchy::AABB_TREE, vtkDistanceHierarchy::OCTREE })
+  {
+    vtkIdType sum = 0;
+    int level = 0;
+    for (vtkIdType count = 1; count > 0; sum += count, ++level)
+    {
+      count = Boxes(surface, structure, level)->GetNumberOfPolys();
+    }
+    const auto all = Boxes(surface, structure, -2);
+    EXPECT_EQ(all->GetNumberOfPolys(), sum);
+    EXPECT_EQ(all->GetCellData()->GetArray("Level")->GetRange()[0], 0.0);
+    EXPECT_EQ(all->GetCellData()->GetArray("Level")->GetRange()[1], level - 2);
+    EXPECT_GT(sum, Boxes(surface, structure, -1)->GetNumberOfPolys());
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(DistanceHierarchy, TheLastLevelOfTheOctreeIsItsLeaves)
+{
+  const auto surface = Sample::Icosphere(2);
+  const auto leaves = Boxes(surface, vtkDistanceHierarchy::OCTREE, -1);
+  const auto last =
+    Boxes(surface, vtkDistanceHierarchy::OCTREE, static_cast<int>(CellValue(leaves, "Level", 0)));
+  EXPECT_TRUE(SameBits(
+    leaves->GetCellData()->GetArray("Distance"), last->GetCellData()->GetArray("Distance")));
+}
+
+//------------------------------------------------------------------------------
+TEST(DistanceHierarchy, BoxesFarFromTheOriginAreAsExactAsTheSurface)
+{
+  const auto surface = Sample::Icosphere(2, 1.0, { 1e6, 1e6, 1e6 });
+  const auto leaves = Boxes(surface, vtkDistanceHierarchy::AABB_TREE, -1);
+  EXPECT_EQ(leaves->GetPoints()->GetDataType(), VTK_DOUBLE);
+  EXPECT_NEAR(leaves->GetBounds()[1], surface->GetBounds()[1], 1e-3);
 }
 
 //------------------------------------------------------------------------------

@@ -228,6 +228,17 @@ class BunnyPipeline(unittest.TestCase):
         leaves = data(pv.DistanceHierarchy(Input=self.bunny))
         self.assertGreater(leaves.GetNumberOfCells(), 6 * 100)
 
+    def test_boxes_of_the_octree(self):
+        boxes = pv.DistanceHierarchy(Input=self.bunny, Structure="Octree",
+                                     SampleDimensions=[32, 32, 32])
+        leaves = data(boxes)
+        self.assertGreater(leaves.GetNumberOfCells(), 6 * 100)
+        cell = pv.MeshSDF(Input=self.bunny, SampleDimensions=[32, 32, 32])
+        distance = vtk_to_numpy(leaves.GetCellData().GetArray("Distance"))
+        self.assertLess(distance.max(), 0.87 * data(cell).GetSpacing()[0])
+        boxes.Level = -2
+        self.assertGreater(data(boxes).GetNumberOfCells(), leaves.GetNumberOfCells())
+
 
 class Files(unittest.TestCase):
     def test_series_reads_back(self):

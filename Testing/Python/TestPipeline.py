@@ -176,6 +176,23 @@ class Pipelines(unittest.TestCase):
         level = vtk_to_numpy(boxes.GetOutput().GetCellData().GetArray("Level"))
         self.assertGreater(level.max(), 5)
 
+    def test_figures_of_both_structures_can_be_drawn(self):
+        for structure, measure in ((es.vtkDistanceHierarchy.AABB_TREE, "NumberOfTriangles"),
+                                   (es.vtkDistanceHierarchy.OCTREE, "Distance")):
+            boxes = es.vtkDistanceHierarchy()
+            boxes.SetInputData(icosphere())
+            boxes.SetStructure(structure)
+            boxes.SetSampleDimensions(24, 24, 24)
+            boxes.Update()
+            leaves = boxes.GetOutput().GetNumberOfPolys()
+            self.assertGreater(vtk_to_numpy(
+                boxes.GetOutput().GetCellData().GetArray(measure)).max(), 0)
+            boxes.SetLevel(-2)                   # all levels
+            boxes.Update()
+            levels = vtk_to_numpy(boxes.GetOutput().GetCellData().GetArray("Level"))
+            self.assertEqual(np.count_nonzero(levels == 0), 6)
+            self.assertGreater(len(levels), leaves)
+
 
 class Errors(unittest.TestCase):
     def test_an_error_is_an_event_with_a_sentence(self):

@@ -143,7 +143,9 @@ std::vector<Index> outermostEnclosing(const SurfaceMesh& mesh,
     const auto count = crossings(mesh, tree, componentOfFace, components[c].largestFace);
     for (const auto& [other, times] : count)
     {
-      if (at(other) != c && components[at(other)].isClosed && times % 2 == 1)
+      // One point says nothing of the rest of a component that crosses the other.
+      if (at(other) != c && components[at(other)].isClosed && times % 2 == 1 &&
+        components[at(other)].box.contains(components[c].box))
       {
         enclosing[c].push_back(other);
       }

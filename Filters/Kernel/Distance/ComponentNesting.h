@@ -39,7 +39,8 @@ bool boxesIntersect(const std::vector<SurfaceComponent>& components);
 
 /**
  * For every closed component the closed component that encloses it and is enclosed by none,
- * by the parity of rays from a point of it; itself when nothing encloses it, or it is open.
+ * by the boxes and the parity of a ray from a point of it; itself when nothing encloses it, or
+ * it is open. A component whose box sticks out of another's overlaps it at most.
  */
 std::vector<Index> outermostEnclosing(const SurfaceMesh& mesh,
   const std::vector<SurfaceComponent>& components, const std::vector<Index>& componentOfFace);

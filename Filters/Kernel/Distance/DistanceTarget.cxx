@@ -3,6 +3,7 @@
 
 #include "Distance/DistanceTarget.h"
 
+#include "Distance/FloatRange.h"
 #include "Distance/PolygonTriangulation.h"
 #include "Errors.h"
 
@@ -119,7 +120,9 @@ DistanceTarget makeDistanceTarget(const SurfaceMesh& mesh)
                      "check what produces it.");
   }
   DistanceTarget target = mesh.faceCount() == 0 ? targetOfPoints(mesh) : targetOfSurface(mesh);
-  target.center = boundingBox(target.mesh).center();
+  const Box box = boundingBox(target.mesh);
+  requireSizeForFloats(box);
+  target.center = box.center();
   for (Vec3& point : target.mesh.points)
   {
     point -= target.center;

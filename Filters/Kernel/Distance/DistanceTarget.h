@@ -31,7 +31,8 @@ struct DistanceTarget
  * Joins coincident points, cuts polygons into triangles, keeps one of several triangles with
  * the same corners, moves the mesh to its centre and turns its triangles outwards. Of a mesh
  * without faces, the different points.
- * @throws InputError when the mesh is empty or damaged, or no face has three different corners
+ * @throws InputError when the mesh is empty or damaged, no face has three different corners, or
+ * it is larger than 1e31 or smaller than 1e-31
  */
 DistanceTarget makeDistanceTarget(const SurfaceMesh& mesh);
 

@@ -52,6 +52,18 @@ TEST(ComponentNesting, FindsTheOutermostShell)
     (std::vector<Index>{ 3, 3, 3, 3, 4, 5 }));
 }
 
+TEST(ComponentNesting, DoesNotTakeAnOverlapForAnEnclosure)
+{
+  // Wherever the largest face of one is, some of them lie inside the other.
+  const Vec3 places[] = { Vec3(0.6, 0, 0), Vec3(-0.6, 0, 0), Vec3(0, 0.6, 0), Vec3(0, 0, -0.6) };
+  for (const Vec3& place : places)
+  {
+    const Components parts({ sphere(3), insideOut(sphere(3, 1.0, place)) });
+    EXPECT_EQ(
+      outermostEnclosing(parts.mesh, parts.all, parts.ofFace), (std::vector<Index>{ 0, 1 }));
+  }
+}
+
 TEST(ComponentNesting, SeesWhetherBoxesIntersect)
 {
   EXPECT_FALSE(boxesIntersect(

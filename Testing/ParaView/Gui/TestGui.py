@@ -148,6 +148,21 @@ def check_surface_evolution(report, pixels):
     check("in the render view", report["view"] == "RenderView")
 
 
+def check_distance_hierarchy(report, pixels):
+    boxes = [s["ports"][0] for s in report["sources"] if s["proxy"] == "DistanceHierarchy"]
+    check("two structures in the pipeline browser", len(boxes) == 2, len(boxes))
+    tree, octree = boxes
+    for found in boxes:
+        check("boxes of six quads", found["cells"] > 0 and 4 * found["cells"] == 3 * found["points"])
+    check("leaves of the tree", 6 * 1000 < tree["cells"] < 6 * 10000, tree["cells"])
+    check("leaves of the octree", octree["cells"] > 6 * 10000, octree["cells"])
+    displays = [d for d in report["visible"] if d["source"] == "DistanceHierarchy"]
+    check("both are visible", len(displays) == 2, report["visible"])
+    check("as lines", {d["representation"] for d in displays} == {"Wireframe"}, displays)
+    covered = share(abs(pixels - pixels[0, 0]).sum(axis=2) > 60)
+    check("they fill the view", covered > 0.1, covered)
+
+
 def check_disabled_entry(report, _):
     source(report, "MeshSDF")
     wraps = [s for s in report["sources"] if s["proxy"] == "ShrinkWrap"]
@@ -156,6 +171,7 @@ def check_disabled_entry(report, _):
 
 CASES = {
     "DisabledEntry": check_disabled_entry,
+    "DistanceHierarchy": check_distance_hierarchy,
     "MeshSDF": check_mesh_sdf,
     "ShrinkWrap": check_shrink_wrap,
     "SurfaceEvolution": check_surface_evolution,
