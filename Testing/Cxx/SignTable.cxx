@@ -170,11 +170,11 @@ std::vector<SignRow> NestedAndCrossingRows()
     { "SelfCrossing", "A surface that crosses itself, all of it facing outwards",
       Sample::SelfOverlappingPrism,
       { { 0.25, 0, 0 }, { 0.62, 0, 0 }, { 1.3, 0, 0 }, { -0.4, 0, 0 } }, { "right", "---+" },
-      { "outside next to hidden faces", "-+-+" }, { "right", "---+" }, Normal },
+      { "outside next to hidden faces", "-+-+" }, { "right", "---+" }, Winding },
     { "SelfCrossingTwisted", "A surface that crosses itself, a part of it facing inwards",
       Sample::TwistedPrism, { { -0.6, 0, 0 }, { 0.4, 0, 0 }, { 0.9, 0, 0 }, { 0.2, 0.6, 0 } },
       { "right", "--++" }, { "wrong there, and far outside too", "-+--" },
-      { "that part is outside", "-+++" }, Normal } };
+      { "that part is outside", "-+++" }, Winding } };
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,7 @@
 #include "Distance/WindingNumber.h"
 #include "Distance/WindingSign.h"
 #include "Errors.h"
+#include "Mesh/SelfIntersections.h"
 
 #include <cmath>
 #include <sstream>
@@ -25,19 +26,33 @@ std::size_t at(GridIndex i)
   return static_cast<std::size_t>(i);
 }
 
-SignChoice choiceForSurface(const OrientationSummary& surface)
+SignChoice choiceForClosedSurface(const DistanceTarget& target, const Execution& execution)
 {
   std::ostringstream reason;
+  reason << "The surface is closed";
+  if (target.orientation.turnedFaces > 0)
+  {
+    reason << " (" << target.orientation.turnedFaces << " faces were turned outwards)";
+  }
+  const std::size_t crossings = selfIntersections(target.mesh, execution).size();
+  if (crossings > 0)
+  {
+    reason << " but meets itself (" << crossings
+           << " pairs of faces), so the winding number gives the sign.";
+    return { SignMethod::WindingNumber, reason.str() };
+  }
+  reason << ", so the normal at the closest point gives the sign.";
+  return { SignMethod::Pseudonormal, reason.str() };
+}
+
+SignChoice choiceForSurface(const DistanceTarget& target, const Execution& execution)
+{
+  const OrientationSummary& surface = target.orientation;
   if (surface.isClosed() && surface.isOriented() && !surface.componentsOverlap)
   {
-    reason << "The surface is closed";
-    if (surface.turnedFaces > 0)
-    {
-      reason << " (" << surface.turnedFaces << " faces were turned outwards)";
-    }
-    reason << ", so the normal at the closest point gives the sign.";
-    return { SignMethod::Pseudonormal, reason.str() };
+    return choiceForClosedSurface(target, execution);
   }
+  std::ostringstream reason;
   if (surface.boundaryEdges > 0)
   {
     reason << "The surface has " << surface.boundaryEdges << " boundary edges";
@@ -95,7 +110,8 @@ std::vector<char> insideByFloodFill(const DistanceTarget& target, const Distance
 
 } // namespace
 
-SignChoice chooseSignMethod(SignMethod asked, const DistanceTarget& target)
+SignChoice chooseSignMethod(
+  SignMethod asked, const DistanceTarget& target, const Execution& execution)
 {
   if (target.isPointSet)
   {
@@ -110,7 +126,7 @@ SignChoice chooseSignMethod(SignMethod asked, const DistanceTarget& target)
   {
     return { asked, "The sign method was chosen by the user." };
   }
-  return choiceForSurface(target.orientation);
+  return choiceForSurface(target, execution);
 }
 
 std::vector<char> samplesInside(SignMethod method, const DistanceTarget& target,

@@ -28,13 +28,15 @@ struct SignChoice
 };
 
 /**
- * The method asked for, or, for Automatic: the pseudonormal for a closed surface whose
- * components are apart, the winding number for any other surface (holes, edges of three faces,
- * one-sided, intersecting or nested components), unsigned for points. Never a method that needs
- * the whole grid.
+ * The method asked for, or, for Automatic: the pseudonormal for a closed surface whose components
+ * are apart and that does not cut through itself, the winding number for any other surface (holes,
+ * edges of three faces, one-sided, intersecting or nested components), unsigned for points. Never a
+ * method that needs the whole grid.
  * @throws InputError when points are asked for an inside
+ * @throws Cancelled
  */
-SignChoice chooseSignMethod(SignMethod asked, const DistanceTarget& target);
+SignChoice chooseSignMethod(
+  SignMethod asked, const DistanceTarget& target, const Execution& execution = {});
 
 /**
  * @param method not Automatic

@@ -236,7 +236,7 @@ private:
   DistanceGrid Whole; ///< relative to the target's centre
   const SignedDistanceOptions& Options;
   SignMethod Sign;
-  const Execution& Host;
+  Execution Host;
 };
 
 } // namespace
@@ -250,9 +250,9 @@ SignedDistanceResult signedDistance(const SurfaceMesh& mesh, const DistanceGrid&
   try
   {
     const DistanceTarget target = makeDistanceTarget(mesh);
-    const SignChoice sign = chooseSignMethod(options.sign, target);
+    const SignChoice sign = chooseSignMethod(options.sign, target, execution.phase(0.0, 0.05));
     SignedDistanceResult result =
-      Computation(target, grid, options, sign.method, execution).run(part);
+      Computation(target, grid, options, sign.method, execution.phase(0.05, 1.0)).run(part);
     result.sign = sign.method;
     result.signReason = sign.reason;
     return result;

@@ -126,7 +126,7 @@ double slackOf(DistanceMethod method)
     case DistanceMethod::BruteForce:
       return 1e-5;
     case DistanceMethod::ClosestPoint:
-      return 0.1;
+      return 1e-4;
     case DistanceMethod::FastSweeping:
       break;
   }

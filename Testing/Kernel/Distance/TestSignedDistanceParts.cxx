@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace evolving;
@@ -62,12 +63,13 @@ TEST(SignedDistanceParts, AreThoseOfTheWholeBitForBit)
   for (const SurfaceMesh& mesh : { torus(1.0, 0.4, 40, 20), holedTorus() })
   {
     const DistanceGrid grid = gridOf(mesh);
-    for (const auto sign : { SignMethod::Automatic, SignMethod::Pseudonormal,
-           SignMethod::WindingNumber, SignMethod::Unsigned })
+    for (int n = 0; n < 8; ++n)
     {
+      constexpr SignMethod Signs[] = { SignMethod::Automatic, SignMethod::Pseudonormal,
+        SignMethod::WindingNumber, SignMethod::Unsigned };
       SignedDistanceOptions options;
-      options.method = DistanceMethod::BruteForce;
-      options.sign = sign;
+      options.method = n < 4 ? DistanceMethod::ClosestPoint : DistanceMethod::BruteForce;
+      options.sign = Signs[n % 4];
       options.closestPoint = options.closestFace = options.gradient = true;
       options.bandWidth = 6.0;
       ASSERT_TRUE(canComputeParts(options));
@@ -103,19 +105,23 @@ TEST(SignedDistanceParts, OfASmoothedFieldAreThoseOfTheWhole)
   }
 }
 
-TEST(SignedDistanceParts, OfClosestPointAreWithinItsError)
+TEST(SignedDistanceParts, OfABandAreThoseOfTheWhole)
 {
+  // Without other arrays nothing is computed beyond the band, signs included.
   for (const SurfaceMesh& mesh : { torus(1.0, 0.4, 40, 20), holedTorus() })
   {
-    const DistanceGrid grid = gridOf(mesh);
-    const SignedDistanceOptions options;
+    const DistanceGrid grid = gridAround(boundingBox(mesh), { 60, 60, 40 }, 0.4);
+    SignedDistanceOptions options;
+    const auto all = signedDistance(mesh, grid, grid.extent, options);
+    options.bandWidth = 1.5;
+    const auto band = static_cast<float>(1.5 * grid.spacing.x());
     const auto whole = signedDistance(mesh, grid, grid.extent, options);
-    const double bound = 0.05 * grid.spacing.x();
+    compare(whole.distance, all.distance, 1, grid, grid.extent,
+      [band](float a, float b) { ASSERT_EQ(a, std::clamp(b, -band, band)); });
     for (const Extent& part : Parts)
     {
       const auto result = signedDistance(mesh, grid, part, options);
-      compare(result.distance, whole.distance, 1, grid, part,
-        [bound](float a, float b) { ASSERT_NEAR(a, b, bound); });
+      compare(result.distance, whole.distance, 1, grid, part, Same);
     }
   }
 }
