@@ -32,9 +32,6 @@ namespace
 /// Starting VTK's threads costs as much as two or three tasks of the kernel's smallest size.
 constexpr std::int64_t FewestParallelTasks = 4;
 
-/// What a sample costs while distance and sign are computed, beyond the input.
-constexpr vtkIdType BytesPerSample = 32;
-
 //------------------------------------------------------------------------------
 bool AbortRequested(vtkAlgorithm* filter)
 {
@@ -223,11 +220,12 @@ int RefuseUnlessEmpty(vtkAlgorithm* filter, vtkPolyData* input)
 }
 
 //------------------------------------------------------------------------------
-void RequireMemory(evolving::GridIndex samples)
+void RequireMemory(evolving::GridIndex samples, const evolving::SignedDistanceOptions& options)
 {
   vtksys::SystemInformation system;
   const double available = 1024.0 * static_cast<double>(system.GetHostMemoryTotal());
-  const double needed = static_cast<double>(BytesPerSample) * static_cast<double>(samples);
+  const double needed =
+    static_cast<double>(evolving::peakBytesPerSample(options)) * static_cast<double>(samples);
   if (needed > available)
   {
     std::ostringstream message;

@@ -172,7 +172,8 @@ int RefuseUnlessEmpty(vtkAlgorithm* filter, vtkPolyData* input);
  * @throws evolving::InputError, with the number of bytes, when a grid of so many samples would not
  * fit in the memory of this machine.
  */
-void RequireMemory(evolving::GridIndex samples);
+void RequireMemory(
+  evolving::GridIndex samples, const evolving::SignedDistanceOptions& options = {});
 
 /// A number that changes when points, cells, image samples or their layout change.
 std::uint64_t ContentHash(vtkDataSet* data);

@@ -238,7 +238,7 @@ int vtkMeshSDF::RequestData(
       evolving::requireDistancesForFloats(evolving::boundingBox(surface.mesh), grid);
       const evolving::SignedDistanceOptions options = this->Options();
       const evolving::Extent computed = evolving::canComputeParts(options) ? part : grid.extent;
-      KernelBridge::RequireMemory(grid.part(computed).sampleCount());
+      KernelBridge::RequireMemory(grid.part(computed).sampleCount(), options);
       const auto result = evolving::signedDistance(surface.mesh, grid, part, options, execution);
       WriteImage(grid, part, result, surface.cellOfFace, output);
     });

@@ -69,6 +69,9 @@ struct SignedDistanceResult
 SignedDistanceResult signedDistance(const SurfaceMesh& mesh, const DistanceGrid& grid,
   const Extent& part, const SignedDistanceOptions& options, const Execution& execution = {});
 
+/// What a sample of the computed part costs at most, beyond the mesh, with its result copied once.
+int peakBytesPerSample(const SignedDistanceOptions& options);
+
 /// Can `part` be computed without the rest of the grid? Not with sweeps or flood fill.
 bool canComputeParts(const SignedDistanceOptions& options);
 
