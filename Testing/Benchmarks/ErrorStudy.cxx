@@ -13,7 +13,7 @@
 #include "SampledDistance.h"
 #include "Slope.h"
 
-#include <algorithm>
+#include <cmath>
 #include <functional>
 
 using namespace benchmark;
@@ -71,6 +71,33 @@ void printResolutions(
   table.print();
 }
 
+/// The error of the samples that some sweeps have reached.
+struct SweptError
+{
+  double reached = 0.0; ///< as a fraction of all samples
+  double spacing = 0.0;
+  Difference error;
+};
+
+SweptError errorOf(vtkImageData* image, const std::vector<float>& expected)
+{
+  constexpr float Unreached = 1e20F; // sweeping starts above any distance
+  const std::vector<float> all = values(image);
+  std::vector<float> swept;
+  std::vector<float> known;
+  for (std::size_t s = 0; s < all.size(); ++s)
+  {
+    if (std::abs(all[s]) < Unreached)
+    {
+      swept.push_back(all[s]);
+      known.push_back(expected[s]);
+    }
+  }
+  const double h = image->GetSpacing()[0];
+  return { static_cast<double>(swept.size()) / static_cast<double>(all.size()), h,
+    difference(swept, known, h) };
+}
+
 void printSweeps(
   const Model& model, const std::string& reference, const Exact& exact, const Arguments& arguments)
 {
@@ -78,47 +105,19 @@ void printSweeps(
   const int size = arguments.sizes[arguments.sizes.size() / 2];
   Table table(
     "Error after each sweep at " + cube(size) + ": " + model.name + ", exact: " + reference,
-    { "sweeps", "reached", "sum (d-d_exact)^2/N", "mean, cells", "largest, cells",
-      "sum over all to that of 8" });
-  struct Row
-  {
-    int sweeps;
-    double reached;
-    Difference error;
-    double h;
-  };
-  std::vector<Row> rows;
+    { "sweeps", "reached", "sum (d-d_exact)^2/N", "mean, cells", "largest, cells" });
+  const auto after = [&](int sweeps)
+  { return sampleDistance(model.surface, sweeping(size, sweeps, arguments.threads)); };
+  const std::vector<float> expected = exact(after(1)); // of the grid, whatever its values
   for (const int sweeps : { 1, 2, 3, 4, 5, 6, 7, 8, 16 })
   {
-    const auto image = sampleDistance(model.surface, sweeping(size, sweeps, arguments.threads));
-    const std::vector<float> all = values(image);
-    const std::vector<float> expected = exact(image);
-    std::vector<float> swept;
-    std::vector<float> known;
-    for (std::size_t s = 0; s < all.size(); ++s)
-    {
-      constexpr float Unreached = 1e20F; // sweeping starts above any distance
-      if (std::abs(all[s]) < Unreached)
-      {
-        swept.push_back(all[s]);
-        known.push_back(expected[s]);
-      }
-    }
-    const double h = image->GetSpacing()[0];
-    rows.push_back({ sweeps, static_cast<double>(swept.size()) / static_cast<double>(all.size()),
-      difference(swept, known, h), h });
+    const SweptError swept = errorOf(after(sweeps), expected);
+    table.add({ std::to_string(sweeps), fixed(100.0 * swept.reached, 2) + " %",
+      general(swept.error.meanSquare * swept.spacing * swept.spacing, 4),
+      fixed(swept.error.mean, 4), fixed(swept.error.largest, 3) });
   }
-  const double final = rows[7].error.meanSquare;
-  for (const Row& row : rows)
-  {
-    table.add({ std::to_string(row.sweeps), fixed(100.0 * row.reached, 2) + " %",
-      general(row.error.meanSquare * row.h * row.h, 4), fixed(row.error.mean, 4),
-      fixed(row.error.largest, 3),
-      row.reached < 1.0 ? "" : fixed(row.error.meanSquare / final, 3) });
-  }
-  table.note(
-    "Sums are over the samples reached so far. The thesis (figure 5.6): the most significant"
-    " changes occur up to sweep 4.");
+  table.note("Sums are over the samples reached so far. The thesis (figure 5.6): the most"
+             " significant changes occur up to sweep 4.");
   table.print();
 }
 

@@ -125,16 +125,16 @@ Model unitSphere()
   return { "unit sphere", source->GetOutput() };
 }
 
-evolving::SurfaceMesh kernelMesh(vtkPolyData* triangles)
+evolving::SurfaceMesh kernelMesh(vtkPolyData* surface)
 {
   evolving::SurfaceMesh mesh;
-  for (vtkIdType p = 0; p < triangles->GetNumberOfPoints(); ++p)
+  for (vtkIdType p = 0; p < surface->GetNumberOfPoints(); ++p)
   {
     double point[3];
-    triangles->GetPoint(p, point);
+    surface->GetPoint(p, point);
     mesh.addPoint({ point[0], point[1], point[2] });
   }
-  vtkCellArray* cells = triangles->GetPolys();
+  vtkCellArray* cells = surface->GetPolys();
   for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c)
   {
     vtkIdType size = 0;

@@ -40,8 +40,8 @@ Model readScan(const std::string& path, int subdivisions);
 /// An icosphere whose facets lie within 0.002 cells of the unit sphere on a grid of 256^3.
 Model unitSphere();
 
-/// A triangle mesh for calls of the kernel.
-evolving::SurfaceMesh kernelMesh(vtkPolyData* triangles);
+/// The polygons for calls of the kernel; without strips.
+evolving::SurfaceMesh kernelMesh(vtkPolyData* surface);
 
 } // namespace benchmark
 

@@ -26,7 +26,11 @@ void printHeader(const std::string& program, const Arguments& arguments)
     std::cout << " (load " << fixed(load, 2) << " at the start)";
   }
   std::cout << ", up to " << arguments.threads << " used; VTK " << vtkVersion::GetVTKVersion()
-            << "; median of " << arguments.runs << (arguments.runs == 1 ? " run" : " runs") << "\n"
+            << "; "
+            << (arguments.runs == 1 ? "one run"
+                                    : "median of " + std::to_string(arguments.runs) +
+                     " runs (of fewer when they last)")
+            << "\n"
             << std::endl;
 }
 

@@ -31,44 +31,70 @@ double samples(int size)
   return std::pow(static_cast<double>(size), 3.0);
 }
 
+/// Growth from each grid to the next, of one kind of time.
+class Growth
+{
+public:
+  /// "b" of a + b * samples through the last two grids in ns, and its ratio to the one before.
+  std::vector<std::string> add(int size, double seconds)
+  {
+    this->Counts.push_back(samples(size));
+    this->Times.push_back(seconds);
+    const std::size_t n = this->Times.size();
+    if (n < 2)
+    {
+      return { "", "" };
+    }
+    const double last = this->Slope;
+    this->Slope = (seconds - this->Times[n - 2]) / (this->Counts[n - 1] - this->Counts[n - 2]);
+    return { fixed(1e9 * this->Slope, 1), n > 2 ? fixed(this->Slope / last, 2) : "" };
+  }
+
+  std::string fit() const
+  {
+    const Line line = lineThrough(this->Counts, this->Times);
+    return "a = " + fixed(line.start, 3) + " s, b = " + fixed(1e9 * line.slope, 1) + " ns";
+  }
+
+private:
+  std::vector<double> Counts;
+  std::vector<double> Times;
+  double Slope = 0.0;
+};
+
 void printSamples(const Model& model, const Arguments& arguments)
 {
   Table table("vtkMeshSDF over samples, default parameters, " + std::to_string(arguments.threads) +
       " threads: " + model.name,
-    { "grid", "seconds", "processor time", "ns a sample", "b from the last two, ns",
-      "ratio to the b before" });
-  std::vector<double> counts;
-  std::vector<double> times;
-  double lastGrowth = 0.0;
+    { "grid", "seconds", "ns a sample", "b, ns", "to the b before", "processor time", "b, ns",
+      "to the b before" });
+  Growth wall;
+  Growth cpu;
   for (const int size : arguments.sizes)
   {
     const Sampling sampling{ size, vtkMeshSDF::CLOSEST_POINT, vtkMeshSDF::AUTOMATIC,
       arguments.threads };
     const Seconds time = medianOf(arguments.runs, [&] { sampleDistance(model.surface, sampling); });
-    std::vector<std::string> row{ cube(size), fixed(time.wall, 3), fixed(time.cpu, 3),
+    std::vector<std::string> row{ cube(size), fixed(time.wall, 3),
       fixed(1e9 * time.wall / samples(size), 1) };
-    if (!counts.empty())
-    {
-      const double growth = (time.wall - times.back()) / (samples(size) - counts.back());
-      row.push_back(fixed(1e9 * growth, 2));
-      row.push_back(lastGrowth > 0.0 ? fixed(growth / lastGrowth, 2) : "");
-      lastGrowth = growth;
-    }
-    counts.push_back(samples(size));
-    times.push_back(time.wall);
+    const auto wallGrowth = wall.add(size, time.wall);
+    row.insert(row.end(), wallGrowth.begin(), wallGrowth.end());
+    row.push_back(fixed(time.cpu, 3));
+    const auto cpuGrowth = cpu.add(size, time.cpu);
+    row.insert(row.end(), cpuGrowth.begin(), cpuGrowth.end());
     table.add(row);
   }
-  if (counts.size() > 1)
+  if (arguments.sizes.size() > 1)
   {
-    const Line line = lineThrough(counts, times);
-    table.note("time = a + b * samples: a = " + fixed(line.start, 3) +
-      " s, b = " + fixed(1e9 * line.slope, 2) + " ns");
+    table.note("time = a + b * samples, over all grids: " + wall.fit());
+    table.note("the same of processor time: " + cpu.fit());
   }
+  table.note("'b' is the slope from the grid above to this one.");
   table.print();
 }
 
 /// @return the time of vtkMeshSDF
-double addTriangles(const Model& model, const Arguments& arguments, Table& table)
+Seconds addTriangles(const Model& model, const Arguments& arguments, Table& table)
 {
   const evolving::SurfaceMesh mesh = kernelMesh(model.surface);
   const Seconds prepare = medianOf(arguments.runs, [&] { evolving::makeDistanceTarget(mesh); });
@@ -80,7 +106,7 @@ double addTriangles(const Model& model, const Arguments& arguments, Table& table
   table.add({ model.name, std::to_string(model.triangles()), signMethod(image),
     fixed(prepare.wall, 3), fixed(time.wall, 3), fixed(time.cpu, 3),
     fixed(1e6 * time.wall / static_cast<double>(model.triangles()), 2) });
-  return time.wall;
+  return time;
 }
 
 /// The first model at several subdivisions, the others as they are.
@@ -90,21 +116,22 @@ void printTriangles(const Arguments& arguments)
       std::to_string(arguments.threads) + " threads",
     { "mesh", "triangles", "sign", "prepare", "seconds", "processor time", "us a triangle" });
   std::vector<double> counts;
-  std::vector<double> times;
+  std::vector<double> wall;
+  std::vector<double> cpu;
   for (int subdivisions = 0; subdivisions <= FinestSubdivision; ++subdivisions)
   {
     const Model model = readScan(arguments.models.front(), subdivisions);
     counts.push_back(static_cast<double>(model.triangles()));
-    times.push_back(addTriangles(model, arguments, table));
+    const Seconds time = addTriangles(model, arguments, table);
+    wall.push_back(time.wall);
+    cpu.push_back(time.cpu);
   }
   for (std::size_t m = 1; m < arguments.models.size(); ++m)
   {
     addTriangles(readScan(arguments.models[m], 0), arguments, table);
   }
-  const Line line = lineThrough(counts, times);
-  table.note("subdivided model: time = " + fixed(line.start, 3) + " s + " +
-    fixed(1e6 * line.slope, 3) + " us * triangles; exponent over all " +
-    fixed(exponentOf(counts, times), 2));
+  table.note("subdivided model: time grows like triangles^" + fixed(exponentOf(counts, wall), 2) +
+    ", processor time like triangles^" + fixed(exponentOf(counts, cpu), 2));
   table.print();
 }
 

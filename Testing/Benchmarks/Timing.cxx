@@ -51,9 +51,11 @@ Seconds median(const std::vector<Seconds>& measured)
 Seconds medianOf(int runs, const std::function<void()>& work)
 {
   std::vector<Seconds> measured;
-  for (int run = 0; run < runs; ++run)
+  double total = 0.0;
+  for (int run = 0; run < runs && total < LongSeconds; ++run)
   {
     measured.push_back(timed(work));
+    total += measured.back().wall;
   }
   return median(measured);
 }

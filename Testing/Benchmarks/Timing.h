@@ -24,9 +24,13 @@ struct Seconds
   double cpu = 0.0; ///< of all threads of the process
 };
 
+/// In all, after which a measurement is not repeated.
+constexpr double LongSeconds = 30.0;
+
 Seconds timed(const std::function<void()>& work);
 /// Of wall and processor time, each on its own.
 Seconds median(const std::vector<Seconds>& measured);
+/// Fewer runs where they last: none begins after LongSeconds, for what is long varies less.
 Seconds medianOf(int runs, const std::function<void()>& work);
 
 /// Threads that take the kernel's tasks in ascending order.
