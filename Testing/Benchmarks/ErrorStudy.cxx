@@ -13,6 +13,7 @@
 #include "SampledDistance.h"
 #include "Slope.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -132,7 +133,8 @@ int main(int argc, char** argv)
     argc, argv, defaults, "The error of FastSweeping over resolutions and after each sweep.");
   printHeader("ErrorStudy", arguments);
 
-  const Model sphere = unitSphere();
+  const Model sphere =
+    unitSphere(*std::max_element(arguments.sizes.begin(), arguments.sizes.end()));
   printResolutions(sphere, "| |x| - 1 |", distanceToUnitSphere, arguments);
   printSweeps(sphere, "| |x| - 1 |", distanceToUnitSphere, arguments);
   for (const std::string& path : arguments.models)

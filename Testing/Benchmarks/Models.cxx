@@ -17,6 +17,7 @@
 #include "vtkSTLReader.h"
 #include "vtkTriangleFilter.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -113,11 +114,13 @@ Model readScan(const std::string& path, int subdivisions)
   return model;
 }
 
-Model unitSphere()
+Model unitSphere(int size)
 {
+  // Level 7 does for 256^3; a level more brings the facets four times as near.
+  const double level = 7.0 + std::log(size / 256.0) / std::log(4.0);
   vtkNew<vtkIcosphereSource> source;
   source->SetShape(vtkIcosphereSource::ICOSPHERE);
-  source->SetLevel(7);
+  source->SetLevel(std::max(0, static_cast<int>(std::ceil(level))));
   source->SetRadius(1.0);
   source->SetCenter(0.0, 0.0, 0.0);
   source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);

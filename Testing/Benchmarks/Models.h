@@ -37,8 +37,8 @@ Model readModel(const std::string& path);
  */
 Model readScan(const std::string& path, int subdivisions);
 
-/// An icosphere whose facets lie within 0.002 cells of the unit sphere on a grid of 256^3.
-Model unitSphere();
+/// An icosphere whose facets lie within 0.002 cells of the unit sphere on a grid of size^3.
+Model unitSphere(int size);
 
 /// The polygons for calls of the kernel; without strips.
 evolving::SurfaceMesh kernelMesh(vtkPolyData* surface);
