@@ -157,10 +157,12 @@ void printGrid(const Model& model, int size, const Arguments& arguments)
   }
   table.note("Errors against BruteForce, in the band only; signs on the whole grid, farther than"
              " 1e-4 cells from the surface.");
-  table.note(version.empty() ? version
-                             : version +
-        ": meshToVolume in index space, its mesh converted before"
-        " the clock starts, TBB's threads limited.");
+  if (!version.empty())
+  {
+    table.note(version +
+      ": meshToVolume in index space, its mesh converted before the clock"
+      " starts, TBB's threads limited.");
+  }
   table.print();
 }
 
