@@ -85,7 +85,7 @@ void dropDuplicates(SurfaceMesh& mesh, std::vector<Index>& oldFace)
   oldFace = std::move(oldOfUnique);
 }
 
-DistanceTarget targetOfSurface(const SurfaceMesh& mesh)
+DistanceTarget targetOfSurface(const SurfaceMesh& mesh, const Execution& execution)
 {
   DistanceTarget target;
   std::vector<Index> oldOfWelded;
@@ -99,19 +99,22 @@ DistanceTarget targetOfSurface(const SurfaceMesh& mesh)
                "check the mesh, or pass its points alone for the distance to them.";
     throw InputError(message.str());
   }
+  execution.report(0.4);
   target.mesh = triangulate(welded, weldedOfTriangle);
   target.oldNumber.reserve(weldedOfTriangle.size());
   for (const Index face : weldedOfTriangle)
   {
     target.oldNumber.push_back(oldOfWelded[at(face)]);
   }
+  execution.report(0.5);
   dropDuplicates(target.mesh, target.oldNumber);
+  execution.report(0.7);
   return target;
 }
 
 } // namespace
 
-DistanceTarget makeDistanceTarget(const SurfaceMesh& mesh)
+DistanceTarget makeDistanceTarget(const SurfaceMesh& mesh, const Execution& execution)
 {
   validate(mesh);
   if (mesh.points.empty())
@@ -119,7 +122,8 @@ DistanceTarget makeDistanceTarget(const SurfaceMesh& mesh)
     throw InputError("The mesh has no points, expected a surface or points to measure from; "
                      "check what produces it.");
   }
-  DistanceTarget target = mesh.faceCount() == 0 ? targetOfPoints(mesh) : targetOfSurface(mesh);
+  DistanceTarget target =
+    mesh.faceCount() == 0 ? targetOfPoints(mesh) : targetOfSurface(mesh, execution);
   const Box box = boundingBox(target.mesh);
   requireSizeForFloats(box);
   target.center = box.center();

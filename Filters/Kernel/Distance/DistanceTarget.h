@@ -10,6 +10,7 @@
 #define EVOLVING_DISTANCE_TARGET_H
 
 #include "Distance/OutwardOrientation.h"
+#include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
 #include "Types.h"
 
@@ -33,8 +34,9 @@ struct DistanceTarget
  * without faces, the different points.
  * @throws InputError when the mesh is empty or damaged, no face has three different corners, or
  * it is larger than 1e31 or smaller than 1e-31
+ * @throws Cancelled between these steps
  */
-DistanceTarget makeDistanceTarget(const SurfaceMesh& mesh);
+DistanceTarget makeDistanceTarget(const SurfaceMesh& mesh, const Execution& execution = {});
 
 } // namespace evolving
 

@@ -101,11 +101,11 @@ std::vector<char> insideByFloodFill(const DistanceTarget& target, const Distance
   WindingNumber winding({});
   if (!containsAll(grid, boundingBox(target.mesh)))
   {
-    winding = WindingNumber(trianglesOf(target.mesh));
+    winding = WindingNumber(trianglesOf(target.mesh), execution.phase(0.0, 0.2));
     queries.isInside = [&](GridIndex sample)
     { return winding.at(samplePoint(grid, sample)) > WindingThreshold; };
   }
-  return floodFill(grid, clearance, queries, execution);
+  return floodFill(grid, clearance, queries, execution.phase(0.2, 1.0));
 }
 
 } // namespace

@@ -249,8 +249,8 @@ SignedDistanceResult signedDistance(const SurfaceMesh& mesh, const DistanceGrid&
   execution.report(0.0);
   try
   {
-    const DistanceTarget target = makeDistanceTarget(mesh);
-    const SignChoice sign = chooseSignMethod(options.sign, target, execution.phase(0.0, 0.05));
+    const DistanceTarget target = makeDistanceTarget(mesh, execution.phase(0.0, 0.03));
+    const SignChoice sign = chooseSignMethod(options.sign, target, execution.phase(0.03, 0.05));
     SignedDistanceResult result =
       Computation(target, grid, options, sign.method, execution.phase(0.05, 1.0)).run(part);
     result.sign = sign.method;
@@ -271,7 +271,7 @@ SignedDistanceResult signedDistance(const SurfaceMesh& mesh, const DistanceGrid&
 int peakBytesPerSample(const SignedDistanceOptions& options)
 {
   constexpr int Side = 1;
-  constexpr int Number = 4; // a float or a triangle
+  constexpr int Number = 4;               // a float or a triangle
   int bytes = 2 * Number + Side + Number; // distance, triangle, side, the copy
   bytes += options.method == DistanceMethod::FastSweeping ? 3 * Number + Side : 0;
   bytes += options.sign == SignMethod::FloodFill ? 2 * Number : 0; // the samples still to visit

@@ -50,17 +50,23 @@ double windingNumber(const Triangle& triangle, const Vec3& point)
   return 2.0 * std::atan2(numerator, denominator) / FourPi;
 }
 
-WindingNumber::WindingNumber(const std::vector<Triangle>& triangles)
+WindingNumber::WindingNumber(const std::vector<Triangle>& triangles, const Execution& execution)
   : Triangles(triangles)
 {
   if (!triangles.empty())
   {
-    this->addNode(this->Triangles, 0, static_cast<Index>(triangles.size()));
+    this->addNode(this->Triangles, 0, static_cast<Index>(triangles.size()), execution);
   }
 }
 
-Index WindingNumber::addNode(std::vector<Triangle>& triangles, Index begin, Index end)
+Index WindingNumber::addNode(
+  std::vector<Triangle>& triangles, Index begin, Index end, const Execution& host)
 {
+  constexpr Index Many = 20000; // a node of so many triangles takes some milliseconds
+  if (end - begin > Many)
+  {
+    host.report(static_cast<double>(begin) / static_cast<double>(triangles.size()));
+  }
   constexpr Index LargestLeaf = 8;
   const auto number = static_cast<Index>(this->Nodes.size());
   this->Nodes.emplace_back();
@@ -71,8 +77,8 @@ Index WindingNumber::addNode(std::vector<Triangle>& triangles, Index begin, Inde
   {
     const Index middle = begin + (end - begin) / 2;
     splitAtMedian(triangles, begin, middle, end);
-    this->addNode(triangles, begin, middle);
-    node.right = this->addNode(triangles, middle, end);
+    this->addNode(triangles, begin, middle, host);
+    node.right = this->addNode(triangles, middle, end, host);
   }
   this->fillMoments(node);
   this->Nodes[static_cast<std::size_t>(number)] = node;

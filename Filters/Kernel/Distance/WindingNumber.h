@@ -36,7 +36,8 @@ public:
   /// A bound for the error of the expansion, as met on any input tried; not a proven one.
   static constexpr double Tolerance = 0.02;
 
-  explicit WindingNumber(const std::vector<Triangle>& triangles);
+  /// @throws Cancelled
+  explicit WindingNumber(const std::vector<Triangle>& triangles, const Execution& execution = {});
 
   double at(const Vec3& point) const;
 
@@ -57,7 +58,7 @@ private:
     Index end = 0;
   };
 
-  Index addNode(std::vector<Triangle>& triangles, Index begin, Index end);
+  Index addNode(std::vector<Triangle>& triangles, Index begin, Index end, const Execution& host);
   void fillMoments(Node& node) const;
   static double expansion(const Node& node, const Vec3& toCenter, double squaredDistance);
 

@@ -104,13 +104,14 @@ private:
 std::vector<char> insideByWindingNumber(const DistanceTarget& target, const DistanceGrid& grid,
   const std::vector<float>& clearance, const Execution& execution)
 {
-  const WindingNumber winding(trianglesOf(target.mesh));
+  const WindingNumber winding(trianglesOf(target.mesh), execution.phase(0.0, 0.3));
   const OpenEdges edges(target);
   std::vector<char> inside(clearance.size(), 0);
   const int width = grid.dimension(0);
   const Extent& e = grid.extent;
   constexpr std::int64_t RowGrain = 16;
-  execution.forRangeReporting(std::int64_t(grid.dimension(1)) * grid.dimension(2), RowGrain,
+  execution.phase(0.3, 1.0).forRangeReporting(std::int64_t(grid.dimension(1)) * grid.dimension(2),
+    RowGrain,
     [&](std::int64_t begin, std::int64_t end)
     {
       for (std::int64_t row = begin; row < end; ++row)
