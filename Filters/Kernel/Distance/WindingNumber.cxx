@@ -53,35 +53,103 @@ double windingNumber(const Triangle& triangle, const Vec3& point)
 WindingNumber::WindingNumber(const std::vector<Triangle>& triangles, const Execution& execution)
   : Triangles(triangles)
 {
-  if (!triangles.empty())
+  if (triangles.empty())
   {
-    this->addNode(this->Triangles, 0, static_cast<Index>(triangles.size()), execution);
+    return;
   }
+  const std::vector<Range> ranges = this->splitTop();
+  execution.report(0.1);
+  std::vector<std::vector<Node>> subtrees(ranges.size());
+  execution.phase(0.1, 0.8).forRangeReporting(static_cast<std::int64_t>(ranges.size()), 1,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n)
+      {
+        this->addNode(ranges[n], subtrees[n]);
+      }
+    });
+  std::vector<Index> top;
+  auto next = subtrees.cbegin();
+  this->addTop({ 0, static_cast<Index>(triangles.size()) }, this->topLevels(), next, top);
+  execution.phase(0.8, 1.0).forRangeReporting(static_cast<std::int64_t>(top.size()), 1,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n)
+      {
+        this->fillMoments(this->Nodes[static_cast<std::size_t>(top[n])]);
+      }
+    });
 }
 
-Index WindingNumber::addNode(
-  std::vector<Triangle>& triangles, Index begin, Index end, const Execution& host)
+int WindingNumber::topLevels() const
 {
-  constexpr Index Many = 20000; // a node of so many triangles takes some milliseconds
-  if (end - begin > Many)
+  constexpr int Most = 5; // up to 32 parts that are built side by side
+  constexpr std::size_t WorthATask = 4096;
+  int levels = 0;
+  while (levels < Most && this->Triangles.size() >> levels > WorthATask)
   {
-    host.report(static_cast<double>(begin) / static_cast<double>(triangles.size()));
+    ++levels;
   }
-  constexpr Index LargestLeaf = 8;
-  const auto number = static_cast<Index>(this->Nodes.size());
-  this->Nodes.emplace_back();
-  Node node;
-  node.begin = begin;
-  node.end = end;
-  if (end - begin > LargestLeaf)
+  return levels;
+}
+
+std::vector<WindingNumber::Range> WindingNumber::splitTop()
+{
+  std::vector<Range> ranges{ { 0, static_cast<Index>(this->Triangles.size()) } };
+  for (int level = this->topLevels(); level > 0; --level)
   {
-    const Index middle = begin + (end - begin) / 2;
-    splitAtMedian(triangles, begin, middle, end);
-    this->addNode(triangles, begin, middle, host);
-    node.right = this->addNode(triangles, middle, end, host);
+    std::vector<Range> halves;
+    for (const Range& range : ranges)
+    {
+      splitAtMedian(this->Triangles, range.begin, range.middle(), range.end);
+      halves.push_back({ range.begin, range.middle() });
+      halves.push_back({ range.middle(), range.end });
+    }
+    ranges = std::move(halves);
+  }
+  return ranges;
+}
+
+Index WindingNumber::addTop(const Range& range, int levels,
+  std::vector<std::vector<Node>>::const_iterator& subtree, std::vector<Index>& top)
+{
+  const auto number = static_cast<Index>(this->Nodes.size());
+  if (levels == 0)
+  {
+    for (Node node : *subtree)
+    {
+      node.right += node.right != NoIndex ? number : 0;
+      this->Nodes.push_back(node);
+    }
+    ++subtree;
+    return number;
+  }
+  this->Nodes.emplace_back();
+  this->Nodes.back().begin = range.begin;
+  this->Nodes.back().end = range.end;
+  top.push_back(number);
+  this->addTop({ range.begin, range.middle() }, levels - 1, subtree, top);
+  const Index right = this->addTop({ range.middle(), range.end }, levels - 1, subtree, top);
+  this->Nodes[static_cast<std::size_t>(number)].right = right;
+  return number;
+}
+
+Index WindingNumber::addNode(const Range& range, std::vector<Node>& nodes)
+{
+  constexpr Index LargestLeaf = 8;
+  const auto number = static_cast<Index>(nodes.size());
+  nodes.emplace_back();
+  Node node;
+  node.begin = range.begin;
+  node.end = range.end;
+  if (range.end - range.begin > LargestLeaf)
+  {
+    splitAtMedian(this->Triangles, range.begin, range.middle(), range.end);
+    this->addNode({ range.begin, range.middle() }, nodes);
+    node.right = this->addNode({ range.middle(), range.end }, nodes);
   }
   this->fillMoments(node);
-  this->Nodes[static_cast<std::size_t>(number)] = node;
+  nodes[static_cast<std::size_t>(number)] = node;
   return number;
 }
 

@@ -58,7 +58,23 @@ private:
     Index end = 0;
   };
 
-  Index addNode(std::vector<Triangle>& triangles, Index begin, Index end, const Execution& host);
+  /// Triangles [begin, end) in the order of the leaves.
+  struct Range
+  {
+    Index begin = 0;
+    Index end = 0;
+
+    Index middle() const { return this->begin + (this->end - this->begin) / 2; }
+  };
+
+  /// The topmost nodes are split one after the other, what is below them side by side.
+  int topLevels() const;
+  std::vector<Range> splitTop();
+  /// Adds a topmost node and all below it, from the finished parts in their order; collects the
+  /// nodes whose moments are still to be filled.
+  Index addTop(const Range& range, int levels,
+    std::vector<std::vector<Node>>::const_iterator& subtree, std::vector<Index>& top);
+  Index addNode(const Range& range, std::vector<Node>& nodes);
   void fillMoments(Node& node) const;
   static double expansion(const Node& node, const Vec3& toCenter, double squaredDistance);
 

@@ -5,6 +5,8 @@
 
 #include "Distance/AABBTree.h"
 #include "DistanceShapes.h"
+#include "Errors.h"
+#include "ThreadedExecution.h"
 
 #include <gtest/gtest.h>
 
@@ -76,4 +78,26 @@ TEST(WindingNumber, CountsShells)
 TEST(WindingNumber, OfNothingIsZero)
 {
   EXPECT_EQ(WindingNumber({}).at(Vec3(1, 2, 3)), 0.0);
+}
+
+TEST(WindingNumber, IsTheSameForAnyNumberOfThreads)
+{
+  // Enough triangles, and an odd number of them, for parts that are built side by side.
+  const std::vector<Triangle> triangles =
+    trianglesOf(without(sphere(5), [](Index face) { return face % 977 == 0; }));
+  const WindingNumber serial(triangles);
+  const WindingNumber threaded(triangles, threadedExecution(8, 7));
+  for (int i = -4; i <= 4; ++i)
+  {
+    const Vec3 point(0.31 * i, 0.1 + 0.07 * i, -0.2 * i);
+    EXPECT_EQ(threaded.at(point), serial.at(point));
+    EXPECT_NEAR(serial.at(point), exactSum(triangles, point), WindingNumber::Tolerance);
+  }
+}
+
+TEST(WindingNumber, StopsWhenAsked)
+{
+  int questions = 0;
+  const Execution stopping(nullptr, nullptr, [&] { return ++questions > 2; });
+  EXPECT_THROW(WindingNumber(trianglesOf(sphere(5)), stopping), Cancelled);
 }
