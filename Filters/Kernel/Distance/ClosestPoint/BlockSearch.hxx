@@ -117,8 +117,15 @@ private:
   /// A box of a fan and how far it is.
   struct NearestBox
   {
-    Lanes distance = all(std::numeric_limits<float>::infinity());
-    IntLanes fan = all(0);
+    Lanes distance;
+    IntLanes fan;
+
+    // Written out: GCC does not compile an implicit one for the instruction set asked for.
+    NearestBox()
+      : distance(all(std::numeric_limits<float>::infinity()))
+      , fan(all(0))
+    {
+    }
 
     void tryFan(Index number, unsigned boxes, Lanes distances)
     {
