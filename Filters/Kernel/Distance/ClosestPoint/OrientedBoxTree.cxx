@@ -109,15 +109,24 @@ public:
       {
         for (auto p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p)
         {
+          constexpr std::size_t TrianglesAFan = 5; // a few less than in practice
+          subtrees[p].reserve(static_cast<std::size_t>(parts[p].size()) / TrianglesAFan + 1);
           this->addFan(parts[p], subtrees[p]);
           this->fitBox(fans[0], static_cast<int>(p), parts[p]);
         }
       });
     fans[0].count = static_cast<int>(parts.size());
+    std::size_t count = 1;
+    for (const std::vector<BoxFan>& subtree : subtrees)
+    {
+      count += subtree.size();
+    }
+    fans.reserve(count);
     for (std::size_t p = 0; p < parts.size(); ++p)
     {
       fans[0].child[p] = static_cast<Index>(fans.size());
       append(fans, subtrees[p]);
+      std::vector<BoxFan>().swap(subtrees[p]); // both at once would be the peak of the whole method
     }
     return fans;
   }
@@ -207,7 +216,6 @@ private:
 
 OrientedBoxTree::OrientedBoxTree(
   const std::vector<Triangle>& triangles, double margin, const Execution& execution)
-  : Framed(triangles.size())
 {
   if (triangles.empty())
   {
@@ -215,6 +223,7 @@ OrientedBoxTree::OrientedBoxTree(
   }
   Builder builder(triangles, margin);
   this->Fans = builder.build(execution.phase(0.0, 0.8));
+  this->Framed.resize(triangles.size());
   execution.phase(0.8, 1.0).forRangeReporting(static_cast<std::int64_t>(triangles.size()),
     Execution::MeshGrain,
     [&](std::int64_t begin, std::int64_t end)
