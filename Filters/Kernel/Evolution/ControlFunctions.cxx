@@ -134,4 +134,16 @@ ControlValues ControlField::evaluateSmoothing(
   return values;
 }
 
+void ControlField::limitAdvection(double timeStep, ControlValues& values) const
+{
+  if (this->Field && this->Options.fieldMode == FieldMode::EdgeDetector)
+  {
+    const double fastest = this->Field->grid().spacing.minCoeff() / timeStep;
+    for (double& eta : values.eta)
+    {
+      eta = std::clamp(eta, -fastest, fastest);
+    }
+  }
+}
+
 } // namespace evolving

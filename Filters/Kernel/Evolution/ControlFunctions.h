@@ -71,6 +71,12 @@ public:
   ControlValues evaluateSmoothing(
     const std::vector<Vec3>& points, double epsilon, const Execution& execution) const;
 
+  /**
+   * Limits eta of an edge detector to one cell per step: a longer one jumps over edges. That of
+   * a distance field is bounded by the distance, see ExplicitLimits.
+   */
+  void limitAdvection(double timeStep, ControlValues& values) const;
+
 private:
   ControlValues sampleField(const std::vector<Vec3>& points, const Execution& execution) const;
   double etaOfDistance(double distance, const Vec3& gradient, const Vec3& normal) const;

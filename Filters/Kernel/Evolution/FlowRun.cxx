@@ -27,7 +27,7 @@ FlowRun::FlowRun(SurfaceMesh start, std::shared_ptr<const ScalarImage> field,
   const FlowSetup& setup, const Execution& execution)
   : Setup(setup)
   , Run(execution)
-  , Check(start, field ? 0.0 : setup.options.surfaceGuard)
+  , Check(start, field ? field->box() : Box(), setup.options.surfaceGuard)
   , Stepper(std::move(start), std::move(field), setup.options, setup.size, setup.parts.timeStep,
       execution.phase(0.0, 0.0))
 {
@@ -140,7 +140,7 @@ std::string FlowRun::tryStep(int parts)
   this->Record.solverIterations = 0;
   try
   {
-    this->moveInParts(parts, execution.phase(0.0, 0.9));
+    this->moveInParts(parts, positionBefore.points, execution.phase(0.0, 0.9));
     this->arrive(positionBefore.points, execution.phase(0.9, 1.0));
     return {};
   }
@@ -156,7 +156,7 @@ std::string FlowRun::tryStep(int parts)
   }
 }
 
-void FlowRun::moveInParts(int parts, const Execution& execution)
+void FlowRun::moveInParts(int parts, const std::vector<Vec3>& before, const Execution& execution)
 {
   const double tau = this->Setup.options.timeStep / parts;
   for (int part = 0; part < parts; ++part)
@@ -168,11 +168,11 @@ void FlowRun::moveInParts(int parts, const Execution& execution)
     {
       this->evaluate(now.phase(0.0, 0.5));
     }
-    const std::vector<Vec3> before = this->mesh().points;
     this->HasVelocities = false;
     this->Stepper.advance(tau, now.phase(0.5, 1.0));
     this->Record.solverIterations += this->Stepper.advanceIterations();
-    this->Check.require(this->mesh(), before, now);
+    this->Check.require(this->mesh(), now);
+    this->Stepper.limitLastMove(before, now);
   }
 }
 

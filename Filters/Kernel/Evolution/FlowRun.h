@@ -50,7 +50,7 @@ private:
   void publish();
   void stepOrStop();
   std::string tryStep(int parts);
-  void moveInParts(int parts, const Execution& execution);
+  void moveInParts(int parts, const std::vector<Vec3>& before, const Execution& execution);
   void arrive(const std::vector<Vec3>& before, const Execution& execution);
   void repeatState();
   void countIteration();

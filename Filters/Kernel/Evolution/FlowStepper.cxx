@@ -4,6 +4,7 @@
 #include "Evolution/FlowStepper.h"
 
 #include "Evolution/ParallelLoops.h"
+#include "Mesh/VertexNormals.h"
 
 #include <utility>
 
@@ -19,6 +20,8 @@ FlowStepper::FlowStepper(SurfaceMesh start, std::shared_ptr<const ScalarImage> f
   , Topology(this->Mesh)
   , Curves(this->Mesh, this->Topology)
   , OnCurves(this->Curves.startPositions())
+  , Vanished(this->Mesh, this->Topology)
+  , Limiter(this->Mesh, angleWeightedNormals(this->Mesh, this->Topology, execution))
   , Geometry(this->Topology)
   , Field(std::move(field), options, execution)
   , Tangential(this->Topology, this->Curves, options.redistribution, options.boundaryMode,
@@ -36,7 +39,7 @@ void FlowStepper::setPosition(const SurfacePosition& position)
 bool FlowStepper::isHeld(Index vertex) const
 {
   const bool isBoundary = this->Topology.isBoundary(vertex);
-  return !this->Topology.isUsed(vertex) ||
+  return !this->Topology.isUsed(vertex) || this->Vanished.contain(vertex) ||
     (isBoundary && this->Options.boundaryMode != BoundaryMode::Free);
 }
 
@@ -44,6 +47,7 @@ void FlowStepper::evaluateFlow(const Execution& execution)
 {
   this->Geometry.update(this->Mesh, execution);
   this->Controls = this->Field.evaluate(this->Mesh.points, this->Geometry.normals(), execution);
+  this->Field.limitAdvection(this->TimeStep, this->Controls);
   this->evaluateVelocities(execution);
 }
 
@@ -56,6 +60,7 @@ void FlowStepper::evaluateSmoothing(double epsilon, const Execution& execution)
 
 void FlowStepper::evaluateVelocities(const Execution& execution)
 {
+  this->Vanished.update(this->Mesh);
   forEachIndex(execution, this->Mesh.vertexCount(),
     [this](Index i)
     {
@@ -67,16 +72,33 @@ void FlowStepper::evaluateVelocities(const Execution& execution)
   const TangentialInput input{ this->Mesh, this->Geometry, this->NormalVelocity,
     this->Controls.value, this->Size, this->TimeStep };
   this->TangentVelocity = this->Tangential.velocity(input, execution);
+  forEachIndex(execution, this->Mesh.vertexCount(),
+    [this](Index i)
+    {
+      if (this->Vanished.contain(i))
+      {
+        this->TangentVelocity[at(i)].setZero();
+      }
+    });
+}
+
+/// Where held vertices go; OnCurves follows.
+std::vector<Vec3> FlowStepper::slide(const std::vector<Vec3>& velocity, double timeStep)
+{
+  std::vector<Vec3> slid = this->Mesh.points;
+  if (this->Options.boundaryMode == BoundaryMode::SlideAlong)
+  {
+    this->Curves.slide(velocity, timeStep, this->OnCurves, slid);
+  }
+  return slid;
 }
 
 void FlowStepper::advance(double timeStep, const Execution& execution)
 {
+  this->LastMove.before = this->position();
+  this->LastMove.timeStep = timeStep;
   const std::size_t count = this->Mesh.points.size();
-  std::vector<Vec3> slid = this->Mesh.points;
-  if (this->Options.boundaryMode == BoundaryMode::SlideAlong)
-  {
-    this->Curves.slide(this->TangentVelocity, timeStep, this->OnCurves, slid);
-  }
+  const std::vector<Vec3> slid = this->slide(this->TangentVelocity, timeStep);
   std::vector<Vec3> velocity(count);
   std::vector<char> isKnown(count);
   std::vector<Vec3> known(count);
@@ -88,7 +110,7 @@ void FlowStepper::advance(double timeStep, const Execution& execution)
       isKnown[at(i)] = this->isHeld(i);
       known[at(i)] = slid[at(i)] - this->Mesh.points[at(i)];
     });
-  const std::vector<Vec3>& displacement = this->Step.displacement(this->Geometry,
+  this->LastMove.displacement = this->Step.displacement(this->Geometry,
     { this->Controls.epsilon, velocity, isKnown, known, timeStep }, this->Options.solverTolerance,
     execution);
   forEachIndex(execution, this->Mesh.vertexCount(),
@@ -96,7 +118,31 @@ void FlowStepper::advance(double timeStep, const Execution& execution)
     {
       // Held vertices are exactly where the curve says, others where the step ends.
       Vec3& point = this->Mesh.points[at(i)];
-      point = isKnown[at(i)] ? slid[at(i)] : Vec3(point + displacement[at(i)]);
+      point = isKnown[at(i)] ? slid[at(i)] : Vec3(point + this->LastMove.displacement[at(i)]);
+    });
+}
+
+void FlowStepper::limitLastMove(const std::vector<Vec3>& before, const Execution& execution)
+{
+  this->Limiter.limit(
+    this->Mesh, before,
+    [&](const std::vector<double>& fraction) { this->place(fraction, execution); }, execution);
+}
+
+/// Puts every vertex to its fraction of the last move.
+void FlowStepper::place(const std::vector<double>& fraction, const Execution& execution)
+{
+  this->setPosition(this->LastMove.before);
+  std::vector<Vec3> shortened(fraction.size());
+  forEachIndex(execution, this->Mesh.vertexCount(),
+    [&](Index i) { shortened[at(i)] = fraction[at(i)] * this->TangentVelocity[at(i)]; });
+  const std::vector<Vec3> slid = this->slide(shortened, this->LastMove.timeStep);
+  forEachIndex(execution, this->Mesh.vertexCount(),
+    [&](Index i)
+    {
+      Vec3& point = this->Mesh.points[at(i)];
+      const Vec3 moved = point + fraction[at(i)] * this->LastMove.displacement[at(i)];
+      point = this->isHeld(i) ? slid[at(i)] : moved;
     });
 }
 

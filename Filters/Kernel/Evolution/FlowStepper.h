@@ -12,10 +12,12 @@
 #include "Evolution/ControlFunctions.h"
 #include "Evolution/EvolutionStep.h"
 #include "Evolution/FlowOptions.h"
+#include "Evolution/StepLimiter.h"
 #include "Evolution/SurfaceCurves.h"
 #include "Evolution/SurfaceFlow.h"
 #include "Evolution/SurfaceGeometry.h"
 #include "Evolution/TangentialVelocity.h"
+#include "Evolution/VanishedComponents.h"
 #include "Execution.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/SurfaceMesh.h"
@@ -63,6 +65,13 @@ public:
   /// Moves the points; the velocities are those of before until the next evaluation.
   /// @throws SolverError, Cancelled
   void advance(double timeStep, const Execution& execution);
+  /**
+   * Shortens the last move of single vertices so that no face turns over.
+   * @param before the points that faces are compared with, those of the last move's start or of
+   * a limited one before it
+   * @throws SolverError when many turn over
+   */
+  void limitLastMove(const std::vector<Vec3>& before, const Execution& execution);
 
   /// Of the last evaluation.
   FlowArrays arrays() const;
@@ -73,7 +82,17 @@ public:
   int advanceIterations() const { return this->Step.iterations(); }
 
 private:
+  /// A step from where to where; held vertices only slide.
+  struct Move
+  {
+    SurfacePosition before;
+    std::vector<Vec3> displacement;
+    double timeStep = 0.0;
+  };
+
   void evaluateVelocities(const Execution& execution);
+  void place(const std::vector<double>& fraction, const Execution& execution);
+  std::vector<Vec3> slide(const std::vector<Vec3>& velocity, double timeStep);
   bool isHeld(Index vertex) const;
 
   SurfaceMesh Mesh;
@@ -83,6 +102,8 @@ private:
   MeshTopology Topology;
   SurfaceCurves Curves;
   SurfaceCurves::Positions OnCurves;
+  VanishedComponents Vanished;
+  StepLimiter Limiter;
   SurfaceGeometry Geometry;
   ControlField Field;
   TangentialVelocity Tangential;
@@ -90,6 +111,7 @@ private:
   ControlValues Controls;
   std::vector<Vec3> NormalVelocity;  ///< v_N
   std::vector<Vec3> TangentVelocity; ///< v_T
+  Move LastMove;
 };
 
 } // namespace evolving

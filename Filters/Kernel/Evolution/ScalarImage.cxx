@@ -182,6 +182,12 @@ Vec3 ScalarImage::gradientAtSample(int i, int j, int k) const
   return Samples(this->Grid, this->Values).gradient({ i, j, k });
 }
 
+Box ScalarImage::box() const
+{
+  const Extent& e = this->Grid.extent;
+  return Box(this->Grid.point(e[0], e[2], e[4]), this->Grid.point(e[1], e[3], e[5]));
+}
+
 Box ScalarImage::insideBox() const
 {
   Box box;

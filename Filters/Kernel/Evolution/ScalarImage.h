@@ -40,6 +40,8 @@ public:
   Vec3 gradientAtSample(int i, int j, int k) const;
   const DistanceGrid& grid() const { return this->Grid; }
   const std::vector<float>& values() const { return this->Values; }
+  /// From the first to the last sample.
+  Box box() const;
   /// The box of the samples with a value of at most zero: empty when there is none.
   Box insideBox() const;
 

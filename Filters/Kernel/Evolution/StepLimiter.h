@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * A step that turns no face over.
+ */
+
+#ifndef EVOLVING_STEP_LIMITER_H
+#define EVOLVING_STEP_LIMITER_H
+
+#include "Execution.h"
+#include "Mesh/SurfaceMesh.h"
+
+#include <functional>
+#include <vector>
+
+namespace evolving
+{
+
+/// A step that would turn over more than this part of the faces has failed.
+constexpr double LargestTurnedPart = 0.1;
+
+/// Puts every vertex to its fraction, in [0, 1], of its move.
+using PlaceVertices = std::function<void(const std::vector<double>& fraction)>;
+
+/**
+ * Shortens the moves of single vertices until no face turns by more than a right angle. Where a
+ * surface pinches off, or a sliver lies across the flow, the flow itself turns faces over, and
+ * shorter steps would not help: there vertices wait while all others go on.
+ *
+ * Faces that have no area at the start or lie the wrong way round, against the normals of their
+ * vertices, may turn: they must unfold.
+ */
+class StepLimiter
+{
+public:
+  /// @param normals of the start's vertices
+  StepLimiter(const SurfaceMesh& start, const std::vector<Vec3>& normals);
+
+  /**
+   * @param mesh at the points after the step
+   * @param before the points before it, or before an earlier step if all since were limited
+   * @param place moves the mesh
+   * @return the number of vertices that moved less than they should
+   * @throws SolverError when more faces than LargestTurnedPart turn over
+   */
+  Index limit(const SurfaceMesh& mesh, const std::vector<Vec3>& before, const PlaceVertices& place,
+    const Execution& execution) const;
+
+private:
+  bool isTurned(const SurfaceMesh& mesh, const std::vector<Vec3>& before, Index face) const;
+  Index countTurned(
+    const SurfaceMesh& mesh, const std::vector<Vec3>& before, const Execution& execution) const;
+  std::vector<char> verticesOfTurned(
+    const SurfaceMesh& mesh, const std::vector<Vec3>& before, const Execution& execution) const;
+
+  std::vector<char> MayTurn; ///< per face
+};
+
+} // namespace evolving
+
+#endif
