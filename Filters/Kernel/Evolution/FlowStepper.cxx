@@ -21,7 +21,7 @@ FlowStepper::FlowStepper(SurfaceMesh start, std::shared_ptr<const ScalarImage> f
   , Curves(this->Mesh, this->Topology)
   , OnCurves(this->Curves.startPositions())
   , Vanished(this->Mesh, this->Topology)
-  , Limiter(this->Mesh, angleWeightedNormals(this->Mesh, this->Topology, execution))
+  , Limiter(this->Mesh, angleWeightedNormals(this->Mesh, this->Topology, execution), this->Vanished)
   , Geometry(this->Topology)
   , Field(std::move(field), options, execution)
   , Tangential(this->Topology, this->Curves, options.redistribution, options.boundaryMode,
@@ -98,9 +98,10 @@ void FlowStepper::advance(double timeStep, const Execution& execution)
   this->LastMove.before = this->position();
   this->LastMove.timeStep = timeStep;
   const std::size_t count = this->Mesh.points.size();
+  std::vector<char>& isKnown = this->LastMove.isHeld;
+  isKnown.resize(count);
   const std::vector<Vec3> slid = this->slide(this->TangentVelocity, timeStep);
   std::vector<Vec3> velocity(count);
-  std::vector<char> isKnown(count);
   std::vector<Vec3> known(count);
   forEachIndex(execution, this->Mesh.vertexCount(),
     [&](Index i)
@@ -124,6 +125,7 @@ void FlowStepper::advance(double timeStep, const Execution& execution)
 
 void FlowStepper::limitLastMove(const std::vector<Vec3>& before, const Execution& execution)
 {
+  this->Vanished.update(this->Mesh);
   this->Limiter.limit(
     this->Mesh, before,
     [&](const std::vector<double>& fraction) { this->place(fraction, execution); }, execution);
@@ -142,7 +144,7 @@ void FlowStepper::place(const std::vector<double>& fraction, const Execution& ex
     {
       Vec3& point = this->Mesh.points[at(i)];
       const Vec3 moved = point + fraction[at(i)] * this->LastMove.displacement[at(i)];
-      point = this->isHeld(i) ? slid[at(i)] : moved;
+      point = this->LastMove.isHeld[at(i)] ? slid[at(i)] : moved;
     });
 }
 

@@ -82,10 +82,11 @@ public:
   int advanceIterations() const { return this->Step.iterations(); }
 
 private:
-  /// A step from where to where; held vertices only slide.
+  /// A step from where to where.
   struct Move
   {
     SurfacePosition before;
+    std::vector<char> isHeld; ///< vertices that only slide
     std::vector<Vec3> displacement;
     double timeStep = 0.0;
   };

@@ -61,8 +61,10 @@ bool facesOutwards(const SurfaceMesh& mesh, const std::vector<Vec3>& normals, In
 
 } // namespace
 
-StepLimiter::StepLimiter(const SurfaceMesh& start, const std::vector<Vec3>& normals)
-  : MayTurn(at(start.faceCount()))
+StepLimiter::StepLimiter(
+  const SurfaceMesh& start, const std::vector<Vec3>& normals, const VanishedComponents& vanished)
+  : Vanished(vanished)
+  , MayTurn(at(start.faceCount()))
 {
   for (Index face = 0; face < start.faceCount(); ++face)
   {
@@ -74,7 +76,8 @@ bool StepLimiter::isTurned(
   const SurfaceMesh& mesh, const std::vector<Vec3>& before, Index face) const
 {
   return !this->MayTurn[at(face)] &&
-    vectorArea(mesh, mesh.points, face).dot(vectorArea(mesh, before, face)) < 0.0;
+    vectorArea(mesh, mesh.points, face).dot(vectorArea(mesh, before, face)) < 0.0 &&
+    !this->Vanished.contain(mesh.faceVertex(face, 0));
 }
 
 Index StepLimiter::countTurned(

@@ -9,6 +9,7 @@
 #ifndef EVOLVING_STEP_LIMITER_H
 #define EVOLVING_STEP_LIMITER_H
 
+#include "Evolution/VanishedComponents.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
 
@@ -30,13 +31,15 @@ using PlaceVertices = std::function<void(const std::vector<double>& fraction)>;
  * shorter steps would not help: there vertices wait while all others go on.
  *
  * Faces that have no area at the start or lie the wrong way round, against the normals of their
- * vertices, may turn: they must unfold.
+ * vertices, may turn: they must unfold. Those of vanished components have no sides.
  */
 class StepLimiter
 {
 public:
   /// @param normals of the start's vertices
-  StepLimiter(const SurfaceMesh& start, const std::vector<Vec3>& normals);
+  /// @param vanished must outlive this object, and be up to date
+  StepLimiter(
+    const SurfaceMesh& start, const std::vector<Vec3>& normals, const VanishedComponents& vanished);
 
   /**
    * @param mesh at the points after the step
@@ -55,6 +58,7 @@ private:
   std::vector<char> verticesOfTurned(
     const SurfaceMesh& mesh, const std::vector<Vec3>& before, const Execution& execution) const;
 
+  const VanishedComponents& Vanished;
   std::vector<char> MayTurn; ///< per face
 };
 
