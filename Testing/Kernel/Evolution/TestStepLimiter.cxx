@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Evolution/StepLimiter.h"
+
+#include "Errors.h"
+#include "Evolution/EvolutionShapes.h"
+#include "Mesh/MeshTopology.h"
+#include "Mesh/VertexNormals.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+using namespace evolving;
+
+namespace
+{
+
+/// A start and a limited move of it.
+class LimitedMove
+{
+public:
+  explicit LimitedMove(const SurfaceMesh& start)
+    : Start(start)
+    , Topology(start)
+    , Vanished(start, this->Topology)
+    , Limiter(start, angleWeightedNormals(start), this->Vanished)
+  {
+  }
+
+  /// Moves from `before` by displacements; returns the number of vertices that moved less.
+  Index move(const std::vector<Vec3>& before, const std::vector<Vec3>& displacement)
+  {
+    this->Mesh = this->Start;
+    const auto place = [&](const std::vector<double>& fraction)
+    {
+      for (std::size_t i = 0; i < before.size(); ++i)
+      {
+        this->Mesh.points[i] = before[i] + fraction[i] * displacement[i];
+      }
+    };
+    place(std::vector<double>(before.size(), 1.0));
+    this->Vanished.update(this->Mesh);
+    return this->Limiter.limit(this->Mesh, before, place, Execution());
+  }
+
+  SurfaceMesh Start;
+  MeshTopology Topology;
+  VanishedComponents Vanished;
+  StepLimiter Limiter;
+  SurfaceMesh Mesh;
+};
+
+Index turnedFaces(const SurfaceMesh& before, const SurfaceMesh& after)
+{
+  Index turned = 0;
+  for (Index face = 0; face < before.faceCount(); ++face)
+  {
+    turned += faceVectorArea(before, face).dot(faceVectorArea(after, face)) < 0.0;
+  }
+  return turned;
+}
+
+} // namespace
+
+TEST(StepLimiter, LeavesAnOrdinaryStepAlone)
+{
+  const SurfaceMesh start = shapes::bumpySphere(2);
+  LimitedMove limited(start);
+  std::vector<Vec3> displacement;
+  for (const Vec3& p : start.points)
+  {
+    displacement.push_back(-0.1 * p + Vec3(0.5, 0.0, 0.0));
+  }
+  EXPECT_EQ(limited.move(start.points, displacement), 0);
+  EXPECT_EQ(limited.Mesh.points[5], Vec3(start.points[5] + displacement[5]));
+}
+
+TEST(StepLimiter, AVertexThatGoesTooFarStopsBeforeItsFacesTurn)
+{
+  const SurfaceMesh start = icosphere(2);
+  LimitedMove limited(start);
+  std::vector<Vec3> displacement(start.points.size(), Vec3::Zero());
+  displacement[100] = -1.6 * start.points[100]; // through the sphere
+  displacement[7] = Vec3(0.01, 0.0, 0.0);
+  const Index shortened = limited.move(start.points, displacement);
+  EXPECT_EQ(turnedFaces(start, limited.Mesh), 0);
+  EXPECT_GE(shortened, 1);
+  EXPECT_LE(shortened, 1 + limited.Topology.ringVertices(100).size());
+  const double part = (limited.Mesh.points[100] - start.points[100]).norm() / 1.6;
+  EXPECT_GT(part, 0.01);
+  EXPECT_LT(part, 0.6);
+  EXPECT_EQ(limited.Mesh.points[7], Vec3(start.points[7] + displacement[7]));
+}
+
+TEST(StepLimiter, ASurfaceThatTurnsOverHasFailed)
+{
+  const SurfaceMesh start = icosphere(2);
+  LimitedMove limited(start);
+  std::vector<Vec3> mirrored;
+  for (const Vec3& p : start.points)
+  {
+    mirrored.push_back(Vec3(0.0, 0.0, -2.0 * p.z()));
+  }
+  try
+  {
+    limited.move(start.points, mirrored);
+    FAIL() << "nothing was thrown";
+  }
+  catch (const SolverError& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("of 320 faces turned over"), std::string::npos)
+      << error.what();
+  }
+}
+
+TEST(StepLimiter, FacesThatStartTheWrongWayRoundMayUnfold)
+{
+  const SurfaceMesh good = shapes::shakenSheet(8, true, 0.2, 3);
+  SurfaceMesh folded = good;
+  const Index vertex = 40; // in the middle
+  folded.points[vertex] += Vec3(0.16, 0.05, 0.0);
+  ASSERT_GT(turnedFaces(good, folded), 0);
+  LimitedMove limited(folded);
+  std::vector<Vec3> displacement(folded.points.size(), Vec3::Zero());
+  displacement[vertex] = good.points[vertex] - folded.points[vertex];
+  EXPECT_EQ(limited.move(folded.points, displacement), 0);
+  EXPECT_LT((limited.Mesh.points[vertex] - good.points[vertex]).norm(), 1e-15);
+}
+
+TEST(StepLimiter, AVanishedComponentHasNoSides)
+{
+  // The smaller sphere becomes a point, and what rounding makes of it is turned inside out.
+  const SurfaceMesh small = shapes::transformed(icosphere(2), 0.1, Vec3(4.0, 0.0, 0.0));
+  const SurfaceMesh start = shapes::together(icosphere(2), small);
+  LimitedMove limited(start);
+  std::vector<Vec3> displacement(start.points.size(), Vec3::Zero());
+  for (std::size_t i = 162; i < start.points.size(); ++i)
+  {
+    displacement[i] = -(1.0 + 1e-6) * (start.points[i] - Vec3(4.0, 0.0, 0.0));
+  }
+  EXPECT_EQ(limited.move(start.points, displacement), 0);
+  EXPECT_FALSE(limited.Vanished.contain(161));
+  EXPECT_TRUE(limited.Vanished.contain(162));
+}
+
+TEST(VanishedComponents, TheOnlyComponentIsNotLookedAt)
+{
+  const SurfaceMesh start = icosphere(1);
+  const MeshTopology topology(start);
+  VanishedComponents vanished(start, topology);
+  vanished.update(shapes::transformed(start, 1e-7, Vec3::Zero()));
+  EXPECT_FALSE(vanished.contain(3));
+}
