@@ -236,8 +236,10 @@ evolving::ScalarImage ReadImage(vtkImageData* image)
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   if (!scalars)
   {
-    throw evolving::InputError("The image on the second input has no active point scalars, "
-                               "expected a distance or an intensity; choose one of its arrays.");
+    throw evolving::InputError(
+      "The image on the second input has no active point scalars, "
+      "expected a distance or an intensity; choose one of its point arrays, or use Cell Data "
+      "to Point Data first.");
   }
   if (!image->GetDirectionMatrix()->IsIdentity())
   {

@@ -26,6 +26,11 @@
  * MeanDistance, MaxDistance, MinAngle; and Stopped, the step after which the flow could not go on,
  * where that happened.
  *
+ * No step turns an element over: where the flow would, at a neck that pinches off or at slivers,
+ * vertices wait while the others go on. A step that would turn over more than a tenth of the
+ * elements is tried again in parts, and ends the run when that does not help. A component that has
+ * shrunk to a point stays there.
+ *
  * Output 1 is a vtkTable `History` with one row for every computed step.
  *
  * Units. With RelativeUnits on, lengths are measured in L, the radius of the target's bounding
@@ -297,8 +302,8 @@ public:
 
   ///@{
   /**
-   * Without a field: a point that leaves the start's box enlarged by this factor ends the run with
-   * what was reached (algorithm 7). The default is 2, the range 1 and above.
+   * A point that leaves the box of the start and the field's samples, enlarged by this factor, ends
+   * the run with what was reached (algorithm 7). The default is 2, the range 1 and above.
    */
   vtkSetClampMacro(SurfaceGuard, double, 1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SurfaceGuard, double);

@@ -76,7 +76,7 @@ struct FlowOptions
   double smoothingSpeed = 0.0; ///< S0
   double smoothingDecay = 0.0; ///< lambda, per smoothing step
   BoundaryMode boundaryMode = BoundaryMode::Fixed;
-  double surfaceGuard = 2.0;         ///< of the start's box; leaving it ends a run without field
+  double surfaceGuard = 2.0;         ///< of the box of start and field; leaving it ends a run
   double convergenceTolerance = 0.0; ///< fraction of L; 0 = run all steps
   double solverTolerance = 1e-10;
 };
