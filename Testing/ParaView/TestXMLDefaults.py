@@ -22,6 +22,8 @@ PROXIES = {
     "SurfaceEvolution": "filters",
     "TangentialRedistribution": "filters",
 }
+# Files without a proxy of one of the classes, and what their proxy is.
+REPRESENTATIONS = {"HistoryChart": "HistoryChartRepresentation"}
 # Setters without a property, and why.
 NOT_OFFERED = {
     ("ShrinkWrap", "AdaptToCurvature"): "refused in this version",
@@ -86,7 +88,8 @@ class Proxy:
         return self.value(instance, name)
 
 
-PROXY_OF_FILE = {path.stem: Proxy(path) for path in sorted(PLUGIN.glob("*.xml"))}
+PROXY_OF_FILE = {path.stem: Proxy(path) for path in sorted(PLUGIN.glob("*.xml"))
+                 if path.stem not in REPRESENTATIONS}
 
 
 def as_tuple(value):
@@ -112,7 +115,18 @@ class XMLTest(unittest.TestCase):
         found = {p.name: p.group.get("name") for p in PROXY_OF_FILE.values()}
         self.assertEqual(found, PROXIES)
         listed = re.findall(r"(\w+)\.xml", (PLUGIN / "CMakeLists.txt").read_text())
-        self.assertEqual(sorted(listed), sorted(PROXIES))
+        self.assertEqual(sorted(listed), sorted([*PROXIES, *REPRESENTATIONS]))
+
+    def test_histories_are_drawn_by_their_representation(self):
+        drawn = {}
+        for proxy in PROXY_OF_FILE.values():
+            for hint in proxy.xml.findall("Hints/Representation"):
+                drawn[proxy.name] = (hint.get("view"), hint.get("port"), hint.get("type"))
+        file, name = next(iter(REPRESENTATIONS.items()))
+        chart = ElementTree.parse(PLUGIN / f"{file}.xml").getroot().find("ProxyGroup")[0]
+        self.assertEqual(chart.get("name"), name)
+        self.assertEqual(drawn, dict.fromkeys(("ShrinkWrap", "SurfaceEvolution"),
+                                              ("XYChartView", "1", name)))
 
     def test_place_in_the_menu(self):
         for proxy in PROXY_OF_FILE.values():
