@@ -244,8 +244,18 @@ class XMLTest(unittest.TestCase):
                 self.assertLessEqual(set(grouped), set(names))
                 if grouped:
                     self.assertEqual(set(names) - set(grouped), set())
+                inputs = [p.get("name") for p in proxy.inputs]
                 for decorator in proxy.xml.iter("PropertyWidgetDecorator"):
-                    self.assertIn(decorator.get("property"), names)
+                    self.assertIn(decorator.get("property"), names + inputs)
+
+    def test_a_panel_keeps_the_order_of_its_groups(self):
+        # ParaView shows the properties of a group in the order in which they are declared.
+        for proxy in PROXY_OF_FILE.values():
+            with self.subTest(proxy=proxy.name):
+                grouped = [p.get("name") for p in proxy.xml.findall("PropertyGroup/Property")]
+                declared = [p.get("name") for p in proxy.xml
+                            if p.tag.endswith("VectorProperty") and p.get("name") in grouped]
+                self.assertEqual(declared, grouped)
 
     def test_first_panel_is_short(self):
         for proxy in PROXY_OF_FILE.values():
@@ -259,7 +269,7 @@ class XMLTest(unittest.TestCase):
 
 def is_shown(element, defaults):
     """Whether the property's decorators show it as long as all values are the defaults."""
-    for decorator in element.iter("PropertyWidgetDecorator"):
+    for decorator in element.findall("Hints/PropertyWidgetDecorator[@mode='visibility']"):
         equal = defaults[decorator.get("property")] == decorator.get("value")
         if equal == (decorator.get("inverse") == "1"):
             return False
