@@ -50,7 +50,7 @@ class ClientServer(unittest.TestCase):
     @classmethod
     def tearDownClass(cls):
         pv.Disconnect()
-        cls.server.kill()  # It would end only with this process, and then perhaps not if a test fails.
+        cls.server.kill()  # By itself it ends with this process, and perhaps not if a test failed.
         said, _ = cls.server.communicate()
         if "ERR|" in said:
             raise RuntimeError(said)

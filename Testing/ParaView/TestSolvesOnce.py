@@ -15,16 +15,11 @@ import paraview.simple as pv
 import evolvingsurfaces  # noqa: F401  (makes GetClientSideObject() give the wrapped class)
 
 OUTPUT = pathlib.Path(sys.argv.pop())
-PLUGIN = sys.argv.pop()
-pv.LoadPlugin(PLUGIN, ns=vars(pv))
+pv.LoadPlugin(sys.argv.pop(), ns=vars(pv))
 
 
 def solves(proxy):
     return proxy.GetClientSideObject().GetNumberOfSolves()
-
-
-def iteration(proxy):
-    return proxy.GetClientSideObject().GetOutput().GetFieldData().GetArray("Iteration").GetValue(0)
 
 
 def data_of(proxy, time):
@@ -97,7 +92,8 @@ class SolvesOnce(unittest.TestCase):
         pv.Show(pv.OutputPort(evolution, 1), chart)
         pv.SetActiveView(surfaces)
         self.assert_once(self.browse(evolution, "chart"))
-        self.assertEqual(evolution.GetClientSideObject().GetOutputDataObject(1).GetNumberOfRows(), 6)
+        history = evolution.GetClientSideObject().GetOutputDataObject(1)
+        self.assertEqual(history.GetNumberOfRows(), 6)
 
     def test_a_cache_that_holds_few_states(self):
         # A state has 642 points of about 160 bytes: a MiB holds ten of the 41.
