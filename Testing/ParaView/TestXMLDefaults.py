@@ -22,6 +22,8 @@ PROXIES = {
     "SurfaceEvolution": "filters",
     "TangentialRedistribution": "filters",
 }
+# Files without a proxy of one of the classes, and what their proxy is.
+REPRESENTATIONS = {"HistoryChart": "HistoryChartRepresentation"}
 # Setters without a property, and why.
 NOT_OFFERED = {
     ("ShrinkWrap", "AdaptToCurvature"): "refused in this version",
@@ -86,7 +88,8 @@ class Proxy:
         return self.value(instance, name)
 
 
-PROXY_OF_FILE = {path.stem: Proxy(path) for path in sorted(PLUGIN.glob("*.xml"))}
+PROXY_OF_FILE = {path.stem: Proxy(path) for path in sorted(PLUGIN.glob("*.xml"))
+                 if path.stem not in REPRESENTATIONS}
 
 
 def as_tuple(value):
@@ -112,7 +115,18 @@ class XMLTest(unittest.TestCase):
         found = {p.name: p.group.get("name") for p in PROXY_OF_FILE.values()}
         self.assertEqual(found, PROXIES)
         listed = re.findall(r"(\w+)\.xml", (PLUGIN / "CMakeLists.txt").read_text())
-        self.assertEqual(sorted(listed), sorted(PROXIES))
+        self.assertEqual(sorted(listed), sorted([*PROXIES, *REPRESENTATIONS]))
+
+    def test_histories_are_drawn_by_their_representation(self):
+        drawn = {}
+        for proxy in PROXY_OF_FILE.values():
+            for hint in proxy.xml.findall("Hints/Representation"):
+                drawn[proxy.name] = (hint.get("view"), hint.get("port"), hint.get("type"))
+        file, name = next(iter(REPRESENTATIONS.items()))
+        chart = ElementTree.parse(PLUGIN / f"{file}.xml").getroot().find("ProxyGroup")[0]
+        self.assertEqual(chart.get("name"), name)
+        self.assertEqual(drawn, dict.fromkeys(("ShrinkWrap", "SurfaceEvolution"),
+                                              ("XYChartView", "1", name)))
 
     def test_place_in_the_menu(self):
         for proxy in PROXY_OF_FILE.values():
@@ -230,8 +244,18 @@ class XMLTest(unittest.TestCase):
                 self.assertLessEqual(set(grouped), set(names))
                 if grouped:
                     self.assertEqual(set(names) - set(grouped), set())
+                inputs = [p.get("name") for p in proxy.inputs]
                 for decorator in proxy.xml.iter("PropertyWidgetDecorator"):
-                    self.assertIn(decorator.get("property"), names)
+                    self.assertIn(decorator.get("property"), names + inputs)
+
+    def test_a_panel_keeps_the_order_of_its_groups(self):
+        # ParaView shows the properties of a group in the order in which they are declared.
+        for proxy in PROXY_OF_FILE.values():
+            with self.subTest(proxy=proxy.name):
+                grouped = [p.get("name") for p in proxy.xml.findall("PropertyGroup/Property")]
+                declared = [p.get("name") for p in proxy.xml
+                            if p.tag.endswith("VectorProperty") and p.get("name") in grouped]
+                self.assertEqual(declared, grouped)
 
     def test_first_panel_is_short(self):
         for proxy in PROXY_OF_FILE.values():
@@ -245,7 +269,7 @@ class XMLTest(unittest.TestCase):
 
 def is_shown(element, defaults):
     """Whether the property's decorators show it as long as all values are the defaults."""
-    for decorator in element.iter("PropertyWidgetDecorator"):
+    for decorator in element.findall("Hints/PropertyWidgetDecorator[@mode='visibility']"):
         equal = defaults[decorator.get("property")] == decorator.get("value")
         if equal == (decorator.get("inverse") == "1"):
             return False

@@ -17,8 +17,9 @@ std::size_t bytesOf(const FlowState& state)
   const FlowArrays& arrays = state.arrays;
   const std::size_t vectors = state.points.size() + arrays.distanceGradient.size() +
     arrays.normal.size() + arrays.tangentialVelocity.size();
-  const std::size_t scalars = arrays.distance.size() + arrays.meanCurvature.size() +
-    arrays.coVolume.size() + arrays.normalVelocity.size() + arrays.redistributionPotential.size();
+  const std::size_t scalars = state.curvePositions.size() + arrays.distance.size() +
+    arrays.meanCurvature.size() + arrays.coVolume.size() + arrays.normalVelocity.size() +
+    arrays.redistributionPotential.size();
   return vectors * sizeof(Vec3) + scalars * sizeof(double);
 }
 
@@ -83,6 +84,8 @@ void FlowSeries::keep(std::size_t i, const SurfaceFlow& flow)
   {
     return; // a run that ends right after a published state
   }
+  // What was the last state is one among others now.
+  this->dropBetweenStrides();
   this->States.resize(i + 1);
   this->States[i] = std::make_shared<const FlowState>(flow.state());
   this->thinOut();
@@ -99,12 +102,19 @@ void FlowSeries::thinOut()
   while (keptBytes() > this->MemoryLimit && this->Stride < this->States.size())
   {
     this->Stride *= 2;
-    for (std::size_t i = 1; i + 1 < this->States.size(); ++i)
+    const std::shared_ptr<const FlowState> last = this->States.back();
+    this->dropBetweenStrides();
+    this->States.back() = last;
+  }
+}
+
+void FlowSeries::dropBetweenStrides()
+{
+  for (std::size_t i = 0; i < this->States.size(); ++i)
+  {
+    if (i % this->Stride != 0)
     {
-      if (i % this->Stride != 0)
-      {
-        this->States[i] = nullptr;
-      }
+      this->States[i] = nullptr;
     }
   }
 }

@@ -65,11 +65,12 @@ public:
 private:
   void keep(std::size_t i, const SurfaceFlow& flow);
   void thinOut();
+  void dropBetweenStrides();
 
   MakeFlow Make;
   std::vector<int> Published;
   std::size_t MemoryLimit;
-  std::size_t Stride = 1; ///< states whose number is a multiple of it are kept
+  std::size_t Stride = 1; ///< of the states kept; the last one is kept, too
   std::vector<std::shared_ptr<const FlowState>> States;
   std::vector<FlowRecord> History;
   std::string StopReason;

@@ -100,7 +100,7 @@ def shown(report, proxy):
     check("one thing is visible", len(report["visible"]) == 1, report["visible"])
     display = report["visible"][0]
     check(f"it is {proxy}", display["source"] == proxy)
-    check("in the render view", report["view"] == "RenderView")
+    check("in the render view", display["view"] == "RenderView" == report["view"])
     return display
 
 
@@ -148,6 +148,22 @@ def check_surface_evolution(report, pixels):
     check("in the render view", report["view"] == "RenderView")
 
 
+def check_history(report, pixels):
+    evolution = source(report, "SurfaceEvolution")
+    check("a row for every step", evolution["ports"][1]["rows"] == 31, evolution["ports"])
+    check("played to the end", report["time"] == evolution["times"][-1] == 3.0, report["time"])
+    check("the last state", evolution["ports"][0]["fields"]["Iteration"] == [30, 30])
+    check("solved once", evolution["solves"] == 1, evolution["solves"])
+    displays = {d["port"]: d for d in report["visible"] if d["source"] == "SurfaceEvolution"}
+    check("the surface stays in the render view", displays[0]["view"] == "RenderView", displays)
+    chart = displays[1]
+    check("the history is in the chart", chart["view"] == "XYChartView" == report["view"], chart)
+    check("over time", chart["x axis"] == "Time", chart)
+    check("the distances alone", sorted(chart["series"]) == ["MaxDistance", "MeanDistance"], chart)
+    colored = share(pixels.max(axis=2) - pixels.min(axis=2) > 60)
+    check("two curves", 0.002 < colored < 0.05, colored)
+
+
 def check_distance_hierarchy(report, pixels):
     boxes = [s["ports"][0] for s in report["sources"] if s["proxy"] == "DistanceHierarchy"]
     check("two structures in the pipeline browser", len(boxes) == 2, len(boxes))
@@ -172,6 +188,7 @@ def check_disabled_entry(report, _):
 CASES = {
     "DisabledEntry": check_disabled_entry,
     "DistanceHierarchy": check_distance_hierarchy,
+    "History": check_history,
     "MeshSDF": check_mesh_sdf,
     "ShrinkWrap": check_shrink_wrap,
     "SurfaceEvolution": check_surface_evolution,

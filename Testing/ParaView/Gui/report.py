@@ -48,12 +48,18 @@ def source_report(source):
     }
 
 
-def display_report(source, port, display):
+def chart_report(display):
+    series = list(display.SeriesVisibility)
+    return {
+        "x axis": None if display.UseIndexForXAxis else str(display.XArrayName.GetData()),
+        "series": [name for name, on in zip(series[::2], series[1::2]) if on != "0"],
+    }
+
+
+def surface_report(display):
     array = display.ColorArrayName[1]
     colors = list(pv.GetColorTransferFunction(array).RGBPoints) if array else None
     return {
-        "source": source.SMProxy.GetXMLName(),
-        "port": port,
         "representation": display.Representation.GetData(),
         "colored by": array,
         "slice": int(display.Slice) if "Slice" in display.ListProperties() else None,
@@ -61,13 +67,23 @@ def display_report(source, port, display):
     }
 
 
+def display_report(source, port, view):
+    display = pv.GetDisplayProperties(pv.OutputPort(source, port), view)
+    is_chart = "SeriesVisibility" in display.ListProperties()
+    return {
+        "source": source.SMProxy.GetXMLName(),
+        "port": port,
+        "view": view.SMProxy.GetXMLName(),
+        **(chart_report(display) if is_chart else surface_report(display)),
+    }
+
+
 def visible_displays(view):
     for source in pv.GetSources().values():
         for port in range(source.SMProxy.GetNumberOfOutputPorts()):
-            display = pv.GetDisplayProperties(pv.OutputPort(source, port), view) \
-                if view.SMProxy.FindRepresentation(source.SMProxy, port) else None
-            if display is not None and display.Visibility:
-                yield display_report(source, port, display)
+            display = view.SMProxy.FindRepresentation(source.SMProxy, port)
+            if display and display.GetProperty("Visibility").GetElement(0):
+                yield display_report(source, port, view)
 
 
 def report():
@@ -78,7 +94,8 @@ def report():
     found = {
         "view": view.SMProxy.GetXMLName(),
         "sources": [source_report(source) for source in pv.GetSources().values()],
-        "visible": list(visible_displays(view)),
+        "visible": [display for each in pv.GetViews() for display in visible_displays(each)],
+        "time": pv.GetAnimationScene().AnimationTime,
     }
     shutil.copy(os.environ["EVOLVINGSURFACES_FRAMEBUFFER"], os.path.join(folder, "window.xwd"))
     pv.SaveScreenshot(os.path.join(folder, "view.png"), view, ImageResolution=[600, 400])
