@@ -67,7 +67,7 @@ def surface(source, color=IVORY, edges=True, opacity=1.0, smooth=False):
         look.SetInterpolationToFlat()
     look.SetEdgeVisibility(edges)
     look.SetEdgeColor(EDGE)
-    look.SetLineWidth(0.8)
+    look.SetLineWidth(1.0)                       # half a pixel of the picture
     look.SetOpacity(opacity)
     look.SetAmbient(0.2)
     look.SetDiffuse(0.85)
@@ -92,8 +92,8 @@ def colored(source, name, colors, edges=False, cells=False):
     return actor
 
 
-def lines(source, color=SLATE, width=2.0):
-    """The edges of any data, unlit: curves, outlines, wire frames."""
+def lines(source, color=SLATE, width=3.0):
+    """The edges of any data, unlit: curves, outlines, wire frames. Width: half pixels."""
     actor = actor_of(source, color)
     look = actor.GetProperty()
     look.SetRepresentationToWireframe()
@@ -177,11 +177,10 @@ def scalar_bar(colors, title, labels=5, form="%.3g"):
     bar.SetTextPositionToSucceedScalarBar()
     bar.UnconstrainedFontSizeOn()
     bar.SetMaximumNumberOfColors(256)
-    bar.SetVerticalTitleSeparation(4)
-    for text, size in ((bar.GetTitleTextProperty(), 15), (bar.GetLabelTextProperty(), 14)):
-        text.SetColor(0.0, 0.0, 0.0)
-        text.SetFontSize(size)
-        text.BoldOff()
-        text.ItalicOff()
-        text.ShadowOff()
+    bar.SetBarRatio(0.45)
+    text = bar.GetLabelTextProperty()
+    text.SetColor(0.0, 0.0, 0.0)
+    text.BoldOff()
+    text.ItalicOff()
+    text.ShadowOff()
     return bar

@@ -13,13 +13,13 @@ import vtkmodules.vtkRenderingFreeType  # noqa: F401  (what vtkRenderingCore dra
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (and everything else)
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401  (and volumes)
 from vtkmodules.vtkCommonDataModel import vtkBoundingBox
+from vtkmodules.vtkImagingCore import vtkImageShrink3D
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (vtkLight, vtkRenderer, vtkRenderWindow, vtkTextActor,
                                          vtkWindowToImageFilter)
 
-MARGIN = 10                                      # pixels around text, and its sizes
-LINE = 24
-BAR = 62
+FINE = 2                                         # drawn so much larger, then averaged: fine edges
+MARGIN, LINE, BAR = 10, 24, 64                   # pixels: around text, a line of it, a scalar bar
 
 
 class Panel:
@@ -52,7 +52,7 @@ def light(renderer):
     """A key light from above left, a weak one from the right and below; all move with the camera."""
     renderer.AutomaticLightCreationOff()
     renderer.SetLightFollowCamera(True)
-    for position, intensity in (((-0.5, 0.8, 1.0), 0.7), ((0.9, 0.1, 0.8), 0.25),
+    for position, intensity in (((-0.5, 0.8, 1.0), 0.8), ((0.9, 0.1, 0.8), 0.35),
                                 ((0.0, -0.9, 0.6), 0.25)):
         lamp = vtkLight()
         lamp.SetLightTypeToCameraLight()
@@ -87,25 +87,29 @@ def view_of(panel, viewport, bounds):
     return renderer
 
 
-def write_text(overlay, text, x, y):
+def write_text(overlay, text, x, y, size=18):
     """Text whose first line is centred below a point, in pixels."""
     actor = vtkTextActor()
     actor.SetInput(text)
     look = actor.GetTextProperty()
     look.SetColor(0.0, 0.0, 0.0)
-    look.SetFontSize(18)
+    look.SetFontSize(size * FINE)
     look.SetJustificationToCentered()
     look.SetVerticalJustificationToTop()
     look.SetLineSpacing(1.1)
-    actor.SetPosition(x, y)
+    actor.SetPosition(x * FINE, y * FINE)
     overlay.AddViewProp(actor)
 
 
 def place_bar(overlay, bar, left, bottom, width, size):
+    """A scalar bar with its title above it: its own would run into its labels."""
+    write_text(overlay, bar.GetTitle(), left + 0.5 * width, bottom + BAR - 4, 16)
+    bar.SetTitle("")
     bar.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
     bar.SetPosition(left / size[0], bottom / size[1])
     bar.SetWidth(width / size[0])
-    bar.SetHeight((BAR - 4) / size[1])
+    bar.SetHeight((BAR - 28) / size[1])
+    bar.GetLabelTextProperty().SetFontSize(14 * FINE)
     overlay.AddViewProp(bar)
 
 
@@ -124,10 +128,14 @@ def write(window, path):
     picture = vtkWindowToImageFilter()
     picture.SetInput(window)
     picture.ReadFrontBufferOff()
+    smaller = vtkImageShrink3D()
+    smaller.SetInputConnection(picture.GetOutputPort())
+    smaller.SetShrinkFactors(FINE, FINE, 1)
+    smaller.AveragingOn()
     writer = vtkPNGWriter()
     writer.SetCompressionLevel(9)
     writer.SetFileName(str(path))
-    writer.SetInputConnection(picture.GetOutputPort())
+    writer.SetInputConnection(smaller.GetOutputPort())
     writer.Write()
     if writer.GetErrorCode():
         sys.exit(f"cannot write {path}")
@@ -150,8 +158,8 @@ def save(panels, path=None, columns=None, width=1200, height=400, same_scale=Fal
     size = (width, rows * row_height + foot)
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
-    window.SetMultiSamples(8)
-    window.SetSize(size)
+    window.SetMultiSamples(4)
+    window.SetSize(FINE * size[0], FINE * size[1])
     overlay = sheet_of(window)
     bounds = same_bounds(panels) if same_scale else None
     step = width / columns
