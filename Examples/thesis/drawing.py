@@ -93,8 +93,12 @@ def colored(source, name, colors, edges=False, cells=False):
 
 
 def lines(source, color=SLATE, width=3.0):
-    """The edges of any data, unlit: curves, outlines, wire frames. Width: half pixels."""
+    """The edges of any data, unlit: curves, outlines, wire frames; in front of the surface they lie on.
+
+    Width: half pixels."""
     actor = actor_of(source, color)
+    actor.GetMapper().SetResolveCoincidentTopologyToPolygonOffset()
+    actor.GetMapper().SetRelativeCoincidentTopologyLineOffsetParameters(-2.0, -8.0)
     look = actor.GetProperty()
     look.SetRepresentationToWireframe()
     look.LightingOff()

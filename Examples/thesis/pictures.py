@@ -20,6 +20,7 @@ from vtkmodules.vtkRenderingCore import (vtkLight, vtkRenderer, vtkRenderWindow,
 
 FINE = 2                                         # drawn so much larger, then averaged: fine edges
 MARGIN, LINE, BAR = 10, 24, 64                   # pixels: around text, a line of it, a scalar bar
+GAP = 4                                          # left and right of a panel
 
 
 class Panel:
@@ -166,9 +167,9 @@ def save(panels, path=None, columns=None, width=1200, height=400, same_scale=Fal
     for i, panel in enumerate(panels):
         left, top = i % columns * step, size[1] - i // columns * row_height
         low = top - height
-        window.AddRenderer(view_of(panel, (left / width, low / size[1], (left + step) / width,
-                                           top / size[1]), bounds))
-        write_text(overlay, panel.caption, left + 0.5 * step, low)
+        window.AddRenderer(view_of(panel, ((left + GAP) / width, low / size[1],
+                                           (left + step - GAP) / width, top / size[1]), bounds))
+        write_text(overlay, panel.caption, left + 0.5 * step, low - 5)
         if panel.bar:
             under = low - LINE * len(panel.caption.splitlines()) - BAR
             place_bar(overlay, panel.bar, left + 0.15 * step, under, 0.7 * step, size)
