@@ -77,7 +77,7 @@ def surface(source, color=IVORY, edges=True, opacity=1.0, smooth=False):
 
 
 def colored(source, name, colors, edges=False, cells=False):
-    """A surface coloured by a point array (or a cell array); colors is sequential() or diverging()."""
+    """A surface coloured by a point or cell array; colors is sequential() or diverging()."""
     actor = surface(source, edges=edges)
     mapper = actor.GetMapper()
     mapper.ScalarVisibilityOn()
@@ -93,9 +93,9 @@ def colored(source, name, colors, edges=False, cells=False):
 
 
 def lines(source, color=SLATE, width=3.0):
-    """The edges of any data, unlit: curves, outlines, wire frames; in front of the surface they lie on.
+    """Curves, outlines, wire frames: the edges of any data, unlit, before the surface they lie on.
 
-    Width: half pixels."""
+    Width: in half pixels."""
     actor = actor_of(source, color)
     actor.GetMapper().SetResolveCoincidentTopologyToPolygonOffset()
     actor.GetMapper().SetRelativeCoincidentTopologyLineOffsetParameters(-2.0, -8.0)
@@ -138,9 +138,13 @@ def dots(source, radius, color=SLATE):
 
 
 def volume(source, colors, opacities, shade=False):
-    """A rendered volume of the active scalars; opacities: pairs of a value and an opacity."""
+    """A rendered volume of the active scalars; opacities: pairs of a value and a cell's opacity."""
     mapper = vtkFixedPointVolumeRayCastMapper()
     connect(mapper, source)
+    mapper.Update()
+    cell = min(mapper.GetInput().GetSpacing())
+    mapper.AutoAdjustSampleDistancesOff()
+    mapper.SetSampleDistance(0.25 * cell)
     opacity = vtkPiecewiseFunction()
     for value, amount in opacities:
         opacity.AddPoint(value, amount)
@@ -149,6 +153,7 @@ def volume(source, colors, opacities, shade=False):
     look = prop.GetProperty()
     look.SetColor(colors)
     look.SetScalarOpacity(opacity)
+    look.SetScalarOpacityUnitDistance(cell)
     look.SetInterpolationTypeToLinear()
     look.SetShade(shade)
     return prop

@@ -42,7 +42,7 @@ def missing_volume(source):
 
 rows = {shape: [primitive(shape, step) for step in STEPS] for shape in (Icosphere, Box, CubeSphere)}
 save([Panel([surface(source)], f"{count(source)} points")
-      for row in rows.values() for source in row], columns=len(STEPS), width=1000, height=180,
+      for row in rows.values() for source in row], columns=len(STEPS), width=900, height=160,
      same_scale=True)
 
 for step in STEPS:

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Figure 3.3: minimal surfaces over closed curves.
 
-The thesis draws harmonic graphs over a circle (Poisson's integral formula). Such a graph is minimal
-only where it is flat, so here it is the start: mean curvature flow with a fixed boundary takes it to
-the minimal surface through the same curve.
+The thesis draws harmonic graphs over a circle (Poisson's integral formula). Such a graph is near a
+minimal surface only where it is flat, so here it is the start: mean curvature flow with a fixed
+boundary takes it to the minimal surface through the same curve.
 
     figure_3_3_minimal_surfaces.py [PICTURE.png]
 """
@@ -18,7 +18,8 @@ from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 from vtkmodules.util.numpy_support import numpy_to_vtk
 
 HEIGHT, TIME_STEP, STEPS = 0.5, 0.01, 100
-CURVES = ({2: 1.0}, {3: 1.0}, {4: 1.0}, {2: 0.7, 3: 0.5})    # height over the circle: sum of a cos nt
+# Heights over the circle: sums of a cos nt.
+CURVES = ({2: 1.0}, {3: 1.0}, {4: 1.0}, {2: 0.7, 3: 0.5})
 
 
 def harmonic_graph(curve):
@@ -57,7 +58,7 @@ def is_rim(surface):
 
 
 def extend_curvature(surface):
-    """Gives rim points the mean curvature of the nearest inner point: the rim's is not the flow's."""
+    """Gives rim points, which do not flow, the mean curvature of the nearest inner point."""
     rim, xyz, curvature = is_rim(surface), points(surface), array(surface, "MeanCurvature")
     inner = numpy.flatnonzero(~rim)
     extended = numpy.array(curvature)
@@ -80,7 +81,8 @@ save([Panel([colored(data, "Curvature", colors, edges=True), rim_line(data)], ca
             direction=(0.2, -1.0, 0.75), up=(0.0, 0.0, 1.0))
      for surfaces, name in ((starts, "harmonic"), (ends, "minimal"))
      for data, caption in zip(surfaces, [f"{name}\n{formula(curve)}" for curve in CURVES])],
-     columns=len(CURVES), width=1000, height=190, same_scale=True, bar=scalar_bar(colors, "mean curvature"))
+     columns=len(CURVES), width=840, height=160, same_scale=True,
+     bar=scalar_bar(colors, "mean curvature"))
 
 for curve, flow, start, end in zip(CURVES, flows, starts, ends):
     name = formula(curve)

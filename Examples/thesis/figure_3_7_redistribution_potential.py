@@ -70,7 +70,7 @@ for step, surface, psi in zip(SHOWN, surfaces, potentials):
 for last, now, psi, following in zip(SHOWN, SHOWN[1:], potentials, potentials[1:]):
     check(f"range of the potential, step {now} over step {last}",
           numpy.ptp(following) / numpy.ptp(psi), 0.0, 0.8)
-check("range of the potential, end over start", numpy.ptp(potentials[-1]) / numpy.ptp(potentials[0]),
-      0.0, 0.02)
+check("range of the potential, end over start",
+      numpy.ptp(potentials[-1]) / numpy.ptp(potentials[0]), 0.0, 0.02)
 check("spread of areas at the start", spread_of_areas(surfaces[0]), 0.5, 1.0)
 check("spread of areas at the end", spread_of_areas(surfaces[-1]), 0.0, 0.05)

@@ -51,7 +51,8 @@ colors = sequential(0.0, farthest)
 opacities = ((0.0, 0.3), (1.2 * farthest, 0.3), (1.21 * farthest, 0.0), (2.0 * farthest, 0.0))
 captions = [f"sweep {n}\n" + (f"{r:.0%} reached" if r < 1.0 else f"mean error {e:.3f}")
             for n, r, e in zip(SWEEPS, reached, errors)]
-save([Panel([volume(back_part(image), colors, opacities), surface(bunny, IVORY, edges=False)], caption)
+save([Panel([volume(back_part(image), colors, opacities), surface(bunny, IVORY, edges=False)],
+            caption)
       for image, caption in zip(swept, captions)],
      columns=4, width=1000, height=230, bar=scalar_bar(colors, "distance"))
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Figure 5.7: what fast sweeping errs by around the bunny, on a grid of 45 samples a side.
 
-G = |d by fast sweeping - exact d|; the thesis's L2 error is the sum of G^2 over the number of samples.
+G = |d by fast sweeping - exact d|; the thesis's L2 error is the mean of G^2 over the samples.
 
     figure_5_7_fast_sweeping_error.py [PICTURE.png]
 """
@@ -46,8 +46,10 @@ coarse, fine = error_on_grid(45), error_on_grid(90)
 colors, cell = sequential(0.0, 0.4), coarse.GetSpacing()[0]
 haze = ((0.0, 0.0), (0.1, 0.0), (0.4, 0.12))     # opacity shows where G is large
 save([Panel([volume(coarse, colors, haze), surface(bunny, IVORY, edges=False)], "volume"),
-      Panel([image_slice(coarse, 2, 22, colors)], "middle slice across z", direction=(0.0, 0.0, 1.0)),
-      Panel([image_slice(coarse, 0, 22, colors)], "middle slice across x", direction=(1.0, 0.0, 0.0))],
+      Panel([image_slice(coarse, 2, 22, colors)], "middle slice across z",
+            direction=(0.0, 0.0, 1.0)),
+      Panel([image_slice(coarse, 0, 22, colors)], "middle slice across x",
+            direction=(1.0, 0.0, 0.0))],
      width=1000, height=320, bar=scalar_bar(colors, f"error G (a cell is {cell:.2f} wide)"))
 
 print("L2 error of the thesis on 90^3:", finer)

@@ -87,7 +87,7 @@ save([Panel(props, caption, direction=(0.3, -1.0, 0.5), up=(0.0, 0.0, 1.0)) for 
      ([surface(soon, IVORY), rings(soon)], f"t = {TIME_STEP}"),
      ([colored(coarse, "Error", colors, edges=True), rings(coarse)], "relaxed, 36 x 12"),
      ([colored(fine, "Error", colors, edges=True), rings(fine)], "relaxed, 72 x 24"))],
-     width=1000, height=230, same_scale=True,
+     width=900, height=200, same_scale=True,
      bar=scalar_bar(colors, "distance from the exact catenoid", 3))
 
 check("exact radius of the waist", c, 0.8483, 0.8484)

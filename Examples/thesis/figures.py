@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the figures have in common beside their drawing: models, time steps, numbers that must hold."""
+"""What the figures share beside their drawing: models, time steps, numbers that must hold."""
 
 import sys
 from pathlib import Path
