@@ -50,7 +50,7 @@ def same_bounds(panels):
 
 
 def light(renderer):
-    """A key light from above left, weak ones from the right and below; they move with the camera."""
+    """A key light from above left, weak ones from right and below; they move with the camera."""
     renderer.AutomaticLightCreationOff()
     renderer.SetLightFollowCamera(True)
     for position, intensity in (((-0.5, 0.8, 1.0), 0.8), ((0.9, 0.1, 0.8), 0.35),
