@@ -10,11 +10,23 @@ import sys
 import tempfile
 from pathlib import Path
 
+from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLGenericDataObjectReader
 
 
+def is_blank(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    colors = reader.GetOutput().GetPointData().GetScalars()
+    if colors is None or colors.GetNumberOfTuples() == 0:
+        return True
+    ranges = [colors.GetRange(i) for i in range(colors.GetNumberOfComponents())]
+    return all(low == high for low, high in ranges)
+
+
 def check(path):
-    """A written file has content, and VTK reads points from one in its own format."""
+    """A file has content: points where it is in VTK's own format, more than one colour in a PNG."""
     if path.stat().st_size == 0:
         return f"{path.name} is empty"
     if path.suffix in (".vtp", ".vti"):
@@ -23,6 +35,8 @@ def check(path):
         reader.Update()
         if reader.GetOutput() is None or reader.GetOutput().GetNumberOfPoints() == 0:
             return f"{path.name} has no points"
+    if path.suffix == ".png" and is_blank(path):
+        return f"{path.name} is of one colour, or cannot be read"
     return None
 
 
