@@ -3,6 +3,7 @@
 
 #include "Evolution/AngleRedistribution.h"
 
+#include "Evolution/ElementShape.h"
 #include "Evolution/ParallelLoops.h"
 
 #include <algorithm>
@@ -45,6 +46,18 @@ double weight(AngleWeighting weighting, double coVolume, double meanCoVolume,
   }
 }
 
+/// Tangential, and no farther in a step than a part of the smallest altitude.
+Vec3 limitedAngleVelocity(const SurfaceMesh& mesh, const SurfaceGeometry& geometry, Index vertex,
+  double rate, double timeStep)
+{
+  const MeshTopology& topology = geometry.topology();
+  const Vec3 v =
+    tangentialPart(angleVelocity(mesh, topology, vertex, rate), geometry.normals()[at(vertex)]);
+  const double farthest = LargestPartOfAltitude * smallestAltitude(mesh, topology, vertex);
+  const double length = timeStep * v.norm();
+  return length > farthest ? Vec3(farthest / length * v) : v;
+}
+
 } // namespace
 
 Vec3 angleVelocity(const SurfaceMesh& mesh, const MeshTopology& topology, Index vertex, double rate)
@@ -80,8 +93,9 @@ double smallestAltitude(const SurfaceMesh& mesh, const MeshTopology& topology, I
 }
 
 std::vector<Vec3> angleRedistribution(const SurfaceMesh& mesh, const SurfaceGeometry& geometry,
-  const RedistributionOptions& options, const std::vector<double>& distance, double distanceScale,
-  double timeStep, const Execution& execution)
+  const std::vector<Vec3>& tangents, const RedistributionOptions& options,
+  const std::vector<double>& distance, double distanceScale, double timeStep,
+  const Execution& execution)
 {
   const std::vector<double>& mu = geometry.coVolumes();
   const double meanCoVolume =
@@ -92,12 +106,9 @@ std::vector<Vec3> angleRedistribution(const SurfaceMesh& mesh, const SurfaceGeom
     {
       const double rate = options.angle *
         weight(options.angleWeighting, mu[at(i)], meanCoVolume, distance, distanceScale, i);
-      const Vec3 v = tangentialPart(
-        angleVelocity(mesh, geometry.topology(), i, rate), geometry.normals()[at(i)]);
-      const double farthest =
-        LargestPartOfAltitude * smallestAltitude(mesh, geometry.topology(), i);
-      const double length = timeStep * v.norm();
-      velocity[at(i)] = length > farthest ? Vec3(farthest / length * v) : v;
+      velocity[at(i)] = options.angleMethod == AngleMethod::Shape
+        ? Vec3(rate * bestShapeMove(mesh, geometry, i, tangents[at(i)]))
+        : limitedAngleVelocity(mesh, geometry, i, rate, timeStep);
     });
   return velocity;
 }

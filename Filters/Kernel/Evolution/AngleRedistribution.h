@@ -33,19 +33,22 @@ Vec3 angleVelocity(
 double smallestAltitude(const SurfaceMesh& mesh, const MeshTopology& topology, Index vertex);
 
 /**
- * v_T by (3.24), projected to the tangent planes, with section 6.2's weights, and shortened so
- * that no vertex moves farther in a step than a quarter of its smallest altitude.
+ * v_T by (3.24), projected to the tangent planes, and shortened so that no vertex moves farther in
+ * a step than a quarter of its smallest altitude; or omega times the way to the vertex's best
+ * place, see bestShapeMove(). Both with section 6.2's weights.
  *
  * InverseArea: times mean co-volume / mu_i, at most 1. Distance: times |d| / distanceScale, at
  * most 1; without distances it changes nothing.
- * @param options angle (omega) and angleWeighting are used
+ * @param tangents of curves, as SurfaceCurves::tangents() gives them
+ * @param options angle (omega), angleMethod and angleWeighting are used
  * @param distance d at the vertices, or empty
  * @param distanceScale a length: the size of the target
  * @param timeStep what v_T will be multiplied by
  */
 std::vector<Vec3> angleRedistribution(const SurfaceMesh& mesh, const SurfaceGeometry& geometry,
-  const RedistributionOptions& options, const std::vector<double>& distance, double distanceScale,
-  double timeStep, const Execution& execution);
+  const std::vector<Vec3>& tangents, const RedistributionOptions& options,
+  const std::vector<double>& distance, double distanceScale, double timeStep,
+  const Execution& execution);
 
 } // namespace evolving
 

@@ -41,8 +41,8 @@ void checkRange(const char* name, double value, double smallest, double largest)
 
 auto members(const RedistributionOptions& o)
 {
-  return std::tie(
-    o.volume, o.angle, o.length, o.angleWeighting, o.curvatureControl, o.curvatureControlAlpha);
+  return std::tie(o.volume, o.angle, o.length, o.angleMethod, o.angleWeighting, o.curvatureControl,
+    o.curvatureControlAlpha);
 }
 
 auto members(const FlowOptions& o)

@@ -28,6 +28,13 @@ enum class CurvatureControl
   Exponential = 3,
 };
 
+/// What the angle-based redistribution does.
+enum class AngleMethod
+{
+  WeightedEdges = 0, ///< (3.24)
+  Shape = 1,         ///< the best place between the neighbours, see ElementShape
+};
+
 /// Section 6.2's cure for the accumulation of vertices by the angle-based velocity.
 enum class AngleWeighting
 {
@@ -50,6 +57,7 @@ struct RedistributionOptions
   double volume = 0.0;
   double angle = 0.0;
   double length = 0.0;
+  AngleMethod angleMethod = AngleMethod::WeightedEdges;
   AngleWeighting angleWeighting = AngleWeighting::None;
   CurvatureControl curvatureControl = CurvatureControl::None;
   double curvatureControlAlpha = 1.0; ///< length, or fraction of L in relative units

@@ -9,13 +9,23 @@
 namespace evolving
 {
 
+namespace
+{
+
+double angleLimit(AngleMethod method)
+{
+  return method == AngleMethod::Shape ? ExplicitLimits::Shape : ExplicitLimits::Angle;
+}
+
+} // namespace
+
 SubSteps divideStep(
   double timeStep, const RedistributionOptions& redistribution, double advectionRate)
 {
   const double wanted = timeStep *
     std::max({ redistribution.volume / ExplicitLimits::Volume,
-      redistribution.angle / ExplicitLimits::Angle, redistribution.length / ExplicitLimits::Length,
-      advectionRate / ExplicitLimits::Advection });
+      redistribution.angle / angleLimit(redistribution.angleMethod),
+      redistribution.length / ExplicitLimits::Length, advectionRate / ExplicitLimits::Advection });
   SubSteps parts;
   // A rate that just reaches its limit, but for rounding, needs no second part.
   parts.count =
@@ -28,7 +38,7 @@ RedistributionOptions limitRates(const RedistributionOptions& options, double su
 {
   RedistributionOptions limited = options;
   limited.volume = std::min(options.volume, ExplicitLimits::Volume / subStep);
-  limited.angle = std::min(options.angle, ExplicitLimits::Angle / subStep);
+  limited.angle = std::min(options.angle, angleLimit(options.angleMethod) / subStep);
   limited.length = std::min(options.length, ExplicitLimits::Length / subStep);
   return limited;
 }

@@ -18,8 +18,9 @@ namespace evolving
 struct ExplicitLimits
 {
   static constexpr double Volume = 1.0; ///< 2.5 folds the mesh
-  static constexpr double Angle = 0.3;  ///< 0.4 explodes
+  static constexpr double Angle = 0.3;  ///< of (3.24); 0.4 explodes
   static constexpr double Length = 1.0;
+  static constexpr double Shape = 0.8;     ///< of the way to the best place; 1 may swing
   static constexpr double Advection = 1.0; ///< of C sqrt(1 + D^2)
 };
 

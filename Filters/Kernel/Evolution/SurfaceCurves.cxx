@@ -3,6 +3,7 @@
 
 #include "Evolution/SurfaceCurves.h"
 
+#include "Evolution/CurveEdges.h"
 #include "Evolution/ParallelLoops.h"
 
 #include <algorithm>
@@ -21,38 +22,6 @@ constexpr double LargestPartOfGap = 0.4;
 double angleBetween(const Vec3& a, const Vec3& b)
 {
   return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-bool isCurveEdge(
-  const SurfaceMesh& mesh, const MeshTopology& topology, Index corner, double creaseAngle)
-{
-  const Index opposite = topology.opposite(corner);
-  if (opposite == NoIndex)
-  {
-    return true;
-  }
-  const Vec3 here = faceVectorArea(mesh, topology.faceOf(corner));
-  const Vec3 there = faceVectorArea(mesh, topology.faceOf(opposite));
-  return angleBetween(here, there) > creaseAngle * RadiansPerDegree;
-}
-
-/// For every vertex the other ends of its curve edges.
-std::vector<std::vector<Index>> curveNeighbours(
-  const SurfaceMesh& mesh, const MeshTopology& topology, double creaseAngle)
-{
-  std::vector<std::vector<Index>> neighbours(mesh.points.size());
-  for (Index corner = 0; corner < topology.cornerCount(); ++corner)
-  {
-    const bool first = corner > topology.opposite(corner); // once per edge
-    if (first && isCurveEdge(mesh, topology, corner, creaseAngle))
-    {
-      const Index a = topology.vertexOf(corner);
-      const Index b = topology.vertexOf(topology.next(corner));
-      neighbours[at(a)].push_back(b);
-      neighbours[at(b)].push_back(a);
-    }
-  }
-  return neighbours;
 }
 
 bool turnsAt(

@@ -49,7 +49,7 @@ public:
 
   /**
    * @param creaseAngle edges whose faces' normals differ by more than this, in degrees, are
-   * curve edges besides the boundary; 180 for none
+   * curve edges besides the boundary, see curveNeighbours(); 180 for none
    * @param cornerAngle in degrees
    */
   SurfaceCurves(const SurfaceMesh& mesh, const MeshTopology& topology, double creaseAngle = 180.0,

@@ -22,9 +22,11 @@ namespace evolving
 namespace
 {
 
-/// Elements may lose angle as long as their smallest one stays above this, in degrees.
+/// Where only areas count, elements may lose angle as long as their smallest one stays above this,
+/// in degrees.
 constexpr double GoodAngle = 20.0;
-/// Meshes better than this may lose some of it: a quad mesh of rectangles could not move else.
+/// Where angles count, meshes better than this may lose some: a quad mesh of rectangles could not
+/// move else.
 constexpr double ExcellentAngle = 40.0;
 /// Moves are halved this often before they are given up.
 constexpr int MostHalvings = 5;
@@ -63,8 +65,12 @@ RedistributionOptions ratesOf(
 double guardedAngle(
   const SurfaceMesh& surface, const RedistributionOptions& rates, const Execution& execution)
 {
-  const double smallest = rates.angle > 0.0 ? smallestCornerAngle(surface, execution) : 0.0;
-  return std::max(GoodAngle, std::min(ExcellentAngle, smallest) * (1.0 - 1e-12)); // not by rounding
+  if (rates.angle > 0.0)
+  {
+    const double smallest = smallestCornerAngle(surface, execution);
+    return std::min(ExcellentAngle, smallest) * (1.0 - 1e-12); // not by rounding
+  }
+  return GoodAngle;
 }
 
 /// A surface whose points move along it.

@@ -23,14 +23,14 @@ struct SurfaceRedistributionOptions
   int numberOfSteps = 50;
   double timeStep = 0.1;
   /**
-   * curvatureControlAlpha in units of half the diagonal of the surface's box. By default angles
-   * come first: equal areas alone cost angles on meshes with irregular vertices.
+   * curvatureControlAlpha in units of half the diagonal of the surface's box. By default the shapes
+   * of elements count alone: equal areas cost angles on meshes with irregular vertices.
    */
-  RedistributionOptions redistribution = { 0.1, 3.0, 0.0, AngleWeighting::None,
+  RedistributionOptions redistribution = { 0.0, 8.0, 0.0, AngleMethod::Shape, AngleWeighting::None,
     CurvatureControl::None, 0.1 };
   bool preserveShape = true; ///< points end on the input surface
   BoundaryMode boundaryMode = BoundaryMode::SlideAlong;
-  double featureAngle = 40.0; ///< degrees between face normals above which an edge is sharp
+  double featureAngle = 45.0; ///< degrees between face normals above which an edge is sharp
 };
 
 struct SurfaceRedistributionResult
@@ -44,9 +44,9 @@ struct SurfaceRedistributionResult
  * boundary slide along the input's curves; points where such curves end, meet or turn by more than
  * the feature angle stay. A move is shortened, to zero if need be, when it would turn a corner of
  * an element over, or would make an element's smallest angle smaller than before and smaller than
- * 20 degrees; with the angle-based velocity switched on, than the input's smallest angle, if that
- * is larger, or than 40 degrees, if that is larger still. So that velocity never makes the smallest
- * angle of a mesh worse, unless it is above 40 degrees and stays there.
+ * 20 degrees; with the angle-based velocity switched on, than the input's smallest angle or 40
+ * degrees, whichever is smaller. So that velocity never makes the smallest angle of a mesh worse,
+ * unless it is above 40 degrees and stays there.
  * @param surface an oriented manifold, closed or with boundary
  * @throws InputError for options out of range or a surface that cannot be used
  * @throws Cancelled

@@ -57,14 +57,15 @@ std::vector<Vec3> TangentialVelocity::velocity(
   std::vector<Vec3> velocity(input.mesh.points.size(), Vec3::Zero());
   if (this->Options.isActive())
   {
-    this->addParts(input, velocity, execution);
-    this->limit(input, velocity, execution);
+    const std::vector<Vec3> tangents = this->Curves.tangents(input.mesh.points);
+    this->addParts(input, tangents, velocity, execution);
+    this->limit(input, tangents, velocity, execution);
   }
   return velocity;
 }
 
-void TangentialVelocity::addParts(
-  const TangentialInput& input, std::vector<Vec3>& velocity, const Execution& execution)
+void TangentialVelocity::addParts(const TangentialInput& input, const std::vector<Vec3>& tangents,
+  std::vector<Vec3>& velocity, const Execution& execution)
 {
   const RedistributionOptions& o = this->Options;
   if (o.volume > 0.0)
@@ -75,8 +76,8 @@ void TangentialVelocity::addParts(
   }
   if (o.angle > 0.0)
   {
-    add(angleRedistribution(input.mesh, input.geometry, o, input.distance, input.distanceScale,
-          input.timeStep, execution),
+    add(angleRedistribution(input.mesh, input.geometry, tangents, o, input.distance,
+          input.distanceScale, input.timeStep, execution),
       velocity, execution);
   }
   for (const LengthRedistribution& length : this->Length)
@@ -87,11 +88,10 @@ void TangentialVelocity::addParts(
   }
 }
 
-void TangentialVelocity::limit(
-  const TangentialInput& input, std::vector<Vec3>& velocity, const Execution& execution) const
+void TangentialVelocity::limit(const TangentialInput& input, const std::vector<Vec3>& tangents,
+  std::vector<Vec3>& velocity, const Execution& execution) const
 {
   const MeshTopology& topology = input.geometry.topology();
-  const std::vector<Vec3> tangents = this->Curves.tangents(input.mesh.points);
   forEachIndex(execution, input.mesh.vertexCount(),
     [&](Index i)
     {

@@ -55,10 +55,10 @@ public:
   int iterations() const { return this->Volume.iterations(); }
 
 private:
-  void addParts(
-    const TangentialInput& input, std::vector<Vec3>& velocity, const Execution& execution);
-  void limit(
-    const TangentialInput& input, std::vector<Vec3>& velocity, const Execution& execution) const;
+  void addParts(const TangentialInput& input, const std::vector<Vec3>& tangents,
+    std::vector<Vec3>& velocity, const Execution& execution);
+  void limit(const TangentialInput& input, const std::vector<Vec3>& tangents,
+    std::vector<Vec3>& velocity, const Execution& execution) const;
 
   const SurfaceCurves& Curves;
   RedistributionOptions Options;

@@ -29,8 +29,9 @@ struct Surface
   std::vector<Vec3> velocity(const RedistributionOptions& options, double timeStep,
     const std::vector<double>& distance = {}, double scale = 1.0) const
   {
+    const std::vector<Vec3> noCurves(this->mesh.points.size(), Vec3::Zero());
     return angleRedistribution(
-      this->mesh, this->geometry, options, distance, scale, timeStep, Execution());
+      this->mesh, this->geometry, noCurves, options, distance, scale, timeStep, Execution());
   }
 };
 

@@ -90,6 +90,9 @@ TEST(SubSteps, DivideAsTheExplicitPartsNeed)
   rates.angle = 100.0;
   EXPECT_EQ(divideStep(0.003, rates, 0.0).count, 1);
   EXPECT_EQ(divideStep(0.004, rates, 0.0).count, 2);
+  rates.angleMethod = AngleMethod::Shape;
+  EXPECT_EQ(divideStep(0.004, rates, 0.0).count, 1);
+  EXPECT_EQ(divideStep(0.0081, rates, 0.0).count, 2);
   EXPECT_EQ(divideStep(0.1, RedistributionOptions(), 35.0).count, 4);
   EXPECT_NEAR(divideStep(0.1, RedistributionOptions(), 35.0).timeStep, 0.025, 1e-15);
 }

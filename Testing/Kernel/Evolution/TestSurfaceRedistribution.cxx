@@ -14,6 +14,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
+
 using namespace evolving;
 
 namespace
@@ -26,6 +28,23 @@ SurfaceMesh crowdedSphere(int level)
   for (Vec3& p : mesh.points)
   {
     p = (p + Vec3(0.2, 0.1, 0.4)).normalized();
+  }
+  return mesh;
+}
+
+/// A square of triangles without order: valences from 4 to 8, and shaken.
+SurfaceMesh irregularSheet(Index n)
+{
+  const SurfaceMesh quads = shapes::shakenSheet(n, false, 0.3, 11);
+  SurfaceMesh mesh;
+  mesh.points = quads.points;
+  std::mt19937 random(12);
+  for (Index face = 0; face < quads.faceCount(); ++face)
+  {
+    const auto corner = [&](Index k) { return quads.faceVertex(face, k % 4); };
+    const Index first = random() % 2 == 0 ? 0 : 1; // which diagonal
+    mesh.addFace({ corner(first), corner(first + 1), corner(first + 2) });
+    mesh.addFace({ corner(first), corner(first + 2), corner(first + 3) });
   }
   return mesh;
 }
@@ -47,6 +66,7 @@ SurfaceRedistributionOptions only(double volume, double angle, double length)
   options.redistribution.volume = volume;
   options.redistribution.angle = angle;
   options.redistribution.length = length;
+  options.redistribution.angleMethod = AngleMethod::WeightedEdges;
   return options;
 }
 
@@ -61,6 +81,18 @@ TEST(SurfaceRedistribution, DefaultsImproveACrowdedSphereAndKeepItsShape)
   EXPECT_GE(smallestAngle(result.mesh), smallestAngle(input));
   EXPECT_LT(farthestFrom(input, result.mesh.points), 1e-12);
   EXPECT_EQ(result.arrays.normal.size(), input.points.size());
+}
+
+TEST(SurfaceRedistribution, ShapeRaisesTheWorstAnglesAboveWhatWeightedEdgesReach)
+{
+  const SurfaceMesh input = irregularSheet(30);
+  const AngleSummary before = summarizeAngles(input);
+  const AngleSummary edges = summarizeAngles(redistributeSurface(input, only(0.0, 3.0, 0.0)).mesh);
+  const AngleSummary shape = summarizeAngles(redistributeSurface(input, {}).mesh);
+  EXPECT_LT(before.firstPercentile, 16.0);
+  EXPECT_GT(edges.firstPercentile, before.firstPercentile + 8.0);
+  EXPECT_GT(shape.firstPercentile, edges.firstPercentile + 2.0);
+  EXPECT_GT(shape.mean, 40.0);
 }
 
 TEST(SurfaceRedistribution, VolumeMakesAreasEqual)
