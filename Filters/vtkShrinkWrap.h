@@ -130,7 +130,7 @@ public:
   ///@{
   /**
    * Edges whose faces' normals differ by more than this angle, in degrees, are sharp. Used with
-   * PreserveFeatures. The default is 40, the range 0 to 180.
+   * PreserveFeatures. The default is 45, the range 0 to 180.
    */
   vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
@@ -183,7 +183,7 @@ private:
   double GapSize = 0.0;
   bool AdaptToCurvature = false;
   bool PreserveFeatures = false;
-  double FeatureAngle = 40.0;
+  double FeatureAngle = 45.0;
   int NumberOfSteps = 50;
   double OffsetDistance = 0.0;
   int NumberOfSolves = 0;

@@ -111,6 +111,7 @@ evolving::FlowOptions vtkSurfaceEvolution::Options() const
   options.redistribution.volume = this->VolumeRedistribution;
   options.redistribution.angle = this->AngleRedistribution;
   options.redistribution.length = this->LengthRedistribution;
+  options.redistribution.angleMethod = static_cast<evolving::AngleMethod>(this->AngleMethod);
   options.redistribution.angleWeighting =
     static_cast<evolving::AngleWeighting>(this->AngleWeighting);
   options.redistribution.curvatureControl =
@@ -250,6 +251,7 @@ void vtkSurfaceEvolution::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VolumeRedistribution: " << this->VolumeRedistribution << "\n";
   os << indent << "AngleRedistribution: " << this->AngleRedistribution << "\n";
   os << indent << "LengthRedistribution: " << this->LengthRedistribution << "\n";
+  os << indent << "AngleMethod: " << this->AngleMethod << "\n";
   os << indent << "AngleWeighting: " << this->AngleWeighting << "\n";
   os << indent << "CurvatureControl: " << this->CurvatureControl << "\n";
   os << indent << "CurvatureControlAlpha: " << this->CurvatureControlAlpha << "\n";

@@ -20,10 +20,12 @@ CONSTANTS = {
         "AUTOMATIC": 0, "FLOOD_FILL": 1, "WINDING_NUMBER": 2, "PSEUDONORMAL": 3, "UNSIGNED": 4},
     "vtkSurfaceEvolution": {
         "DISTANCE_FIELD": 0, "EDGE_DETECTOR": 1,
+        "WEIGHTED_EDGES": 0, "SHAPE": 1,
         "WEIGHTING_NONE": 0, "INVERSE_AREA": 1, "DISTANCE": 2,
         "CONTROL_NONE": 0, "CUBE_ROOT": 1, "TWO_THIRDS": 2, "EXPONENTIAL": 3,
         "FIXED": 0, "SLIDE_ALONG": 1, "FREE": 2, "OFF": 0, "UNIFORM": 1, "CURVATURE_ADAPTIVE": 2},
     "vtkTangentialRedistribution": {
+        "WEIGHTED_EDGES": 0, "SHAPE": 1,
         "WEIGHTING_NONE": 0, "INVERSE_AREA": 1,
         "CONTROL_NONE": 0, "CUBE_ROOT": 1, "TWO_THIRDS": 2, "EXPONENTIAL": 3,
         "FIXED": 0, "SLIDE_ALONG": 1, "FREE": 2},

@@ -111,7 +111,7 @@ void FlowStepper::advance(double timeStep, const Execution& execution)
       isKnown[at(i)] = this->isHeld(i);
       known[at(i)] = slid[at(i)] - this->Mesh.points[at(i)];
     });
-  this->LastMove.displacement = this->Step.displacement(this->Geometry,
+  this->LastMove.limited.displacement = this->Step.displacement(this->Geometry,
     { this->Controls.epsilon, velocity, isKnown, known, timeStep }, this->Options.solverTolerance,
     execution);
   forEachIndex(execution, this->Mesh.vertexCount(),
@@ -119,7 +119,8 @@ void FlowStepper::advance(double timeStep, const Execution& execution)
     {
       // Held vertices are exactly where the curve says, others where the step ends.
       Vec3& point = this->Mesh.points[at(i)];
-      point = isKnown[at(i)] ? slid[at(i)] : Vec3(point + this->LastMove.displacement[at(i)]);
+      point =
+        isKnown[at(i)] ? slid[at(i)] : Vec3(point + this->LastMove.limited.displacement[at(i)]);
     });
 }
 
@@ -127,23 +128,23 @@ void FlowStepper::limitLastMove(const std::vector<Vec3>& before, const Execution
 {
   this->Vanished.update(this->Mesh);
   this->Limiter.limit(
-    this->Mesh, before,
-    [&](const std::vector<double>& fraction) { this->place(fraction, execution); }, execution);
+    this->Mesh, before, this->LastMove.limited, [&] { this->redoLastMove(execution); }, execution);
 }
 
-/// Puts every vertex to its fraction of the last move.
-void FlowStepper::place(const std::vector<double>& fraction, const Execution& execution)
+/// As the limiter changed it; held vertices only know how far they slide.
+void FlowStepper::redoLastMove(const Execution& execution)
 {
+  const LimitedMove& move = this->LastMove.limited;
   this->setPosition(this->LastMove.before);
-  std::vector<Vec3> shortened(fraction.size());
+  std::vector<Vec3> shortened(move.fraction.size());
   forEachIndex(execution, this->Mesh.vertexCount(),
-    [&](Index i) { shortened[at(i)] = fraction[at(i)] * this->TangentVelocity[at(i)]; });
+    [&](Index i) { shortened[at(i)] = move.fraction[at(i)] * this->TangentVelocity[at(i)]; });
   const std::vector<Vec3> slid = this->slide(shortened, this->LastMove.timeStep);
   forEachIndex(execution, this->Mesh.vertexCount(),
     [&](Index i)
     {
       Vec3& point = this->Mesh.points[at(i)];
-      const Vec3 moved = point + fraction[at(i)] * this->LastMove.displacement[at(i)];
+      const Vec3 moved = point + move.fraction[at(i)] * move.displacement[at(i)];
       point = this->LastMove.isHeld[at(i)] ? slid[at(i)] : moved;
     });
 }

@@ -66,7 +66,7 @@ public:
   /// @throws SolverError, Cancelled
   void advance(double timeStep, const Execution& execution);
   /**
-   * Shortens the last move of single vertices so that no face turns over.
+   * Changes the last move of single vertices so that no face turns over.
    * @param before the points that faces are compared with, those of the last move's start or of
    * a limited one before it
    * @throws SolverError when many turn over
@@ -87,12 +87,12 @@ private:
   {
     SurfacePosition before;
     std::vector<char> isHeld; ///< vertices that only slide
-    std::vector<Vec3> displacement;
+    LimitedMove limited;
     double timeStep = 0.0;
   };
 
   void evaluateVelocities(const Execution& execution);
-  void place(const std::vector<double>& fraction, const Execution& execution);
+  void redoLastMove(const Execution& execution);
   std::vector<Vec3> slide(const std::vector<Vec3>& velocity, double timeStep);
   bool isHeld(Index vertex) const;
 

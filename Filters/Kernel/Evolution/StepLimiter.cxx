@@ -7,7 +7,10 @@
 #include "Evolution/ParallelLoops.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <sstream>
+#include <utility>
 
 namespace evolving
 {
@@ -15,6 +18,8 @@ namespace evolving
 namespace
 {
 
+/// Moves are made alike this often before they are halved.
+constexpr int EveningRounds = 16;
 /// Moves are halved this often before they are given up.
 constexpr int MostHalvings = 5;
 /// A vertex that waits may turn its neighbours' faces over, so waiting spreads, but not far.
@@ -50,7 +55,61 @@ bool facesOutwards(const SurfaceMesh& mesh, const std::vector<Vec3>& normals, In
   return faceVectorArea(mesh, face).dot(normal) > SmallestRelativeArea * longest;
 }
 
-[[noreturn]] void throwTurned(Index turned, const SurfaceMesh& mesh)
+void flagVertices(
+  const SurfaceMesh& mesh, const std::vector<Index>& faces, std::vector<char>& flags)
+{
+  for (const Index face : faces)
+  {
+    for (Index k = 0; k < mesh.faceSize(face); ++k)
+    {
+      flags[at(mesh.faceVertex(face, k))] = 1;
+    }
+  }
+}
+
+/// Gives the vertices of each face the mean of their vectors; of several means, the mean.
+void evenOut(const SurfaceMesh& mesh, const std::vector<Index>& faces, std::vector<Vec3>& vectors)
+{
+  std::map<Index, std::pair<Vec3, int>> means;
+  for (const Index face : faces)
+  {
+    Vec3 mean = Vec3::Zero();
+    for (Index k = 0; k < mesh.faceSize(face); ++k)
+    {
+      mean += vectors[at(mesh.faceVertex(face, k))] / mesh.faceSize(face);
+    }
+    for (Index k = 0; k < mesh.faceSize(face); ++k)
+    {
+      auto& sum = means.try_emplace(mesh.faceVertex(face, k), Vec3::Zero(), 0).first->second;
+      sum.first += mean;
+      ++sum.second;
+    }
+  }
+  for (const auto& [vertex, sum] : means)
+  {
+    vectors[at(vertex)] = sum.first / sum.second;
+  }
+}
+
+/// Multiplies the fractions of the faces' vertices by a factor, once.
+void shorten(const SurfaceMesh& mesh, const std::vector<Index>& faces, double factor,
+  std::vector<double>& fraction)
+{
+  std::set<Index> vertices;
+  for (const Index face : faces)
+  {
+    for (Index k = 0; k < mesh.faceSize(face); ++k)
+    {
+      vertices.insert(mesh.faceVertex(face, k));
+    }
+  }
+  for (const Index vertex : vertices)
+  {
+    fraction[at(vertex)] *= factor;
+  }
+}
+
+[[noreturn]] void throwTurned(std::size_t turned, const SurfaceMesh& mesh)
 {
   std::ostringstream message;
   message << turned << " of " << mesh.faceCount()
@@ -80,56 +139,52 @@ bool StepLimiter::isTurned(
     !this->Vanished.contain(mesh.faceVertex(face, 0));
 }
 
-Index StepLimiter::countTurned(
+std::vector<Index> StepLimiter::turnedFaces(
   const SurfaceMesh& mesh, const std::vector<Vec3>& before, const Execution& execution) const
 {
-  return static_cast<Index>(sumEachIndex(execution, mesh.faceCount(),
-    [&](Index face) { return this->isTurned(mesh, before, face) ? 1.0 : 0.0; }));
-}
-
-/// One flag per vertex.
-std::vector<char> StepLimiter::verticesOfTurned(
-  const SurfaceMesh& mesh, const std::vector<Vec3>& before, const Execution& execution) const
-{
-  std::vector<char> turned(at(mesh.faceCount()));
+  std::vector<char> flags(at(mesh.faceCount()));
   forEachIndex(execution, mesh.faceCount(),
-    [&](Index face) { turned[at(face)] = this->isTurned(mesh, before, face); });
-  std::vector<char> flags(mesh.points.size(), 0);
+    [&](Index face) { flags[at(face)] = this->isTurned(mesh, before, face); });
+  std::vector<Index> turned;
   for (Index face = 0; face < mesh.faceCount(); ++face)
   {
-    for (Index k = 0; turned[at(face)] && k < mesh.faceSize(face); ++k)
+    if (flags[at(face)])
     {
-      flags[at(mesh.faceVertex(face, k))] = 1;
+      turned.push_back(face);
     }
   }
-  return flags;
+  return turned;
 }
 
 Index StepLimiter::limit(const SurfaceMesh& mesh, const std::vector<Vec3>& before,
-  const PlaceVertices& place, const Execution& execution) const
+  LimitedMove& move, const PlaceVertices& place, const Execution& execution) const
 {
-  Index turned = this->countTurned(mesh, before, execution);
-  if (turned > LargestTurnedPart * mesh.faceCount())
+  std::vector<Index> turned = this->turnedFaces(mesh, before, execution);
+  if (static_cast<double>(turned.size()) > LargestTurnedPart * mesh.faceCount())
   {
-    throwTurned(turned, mesh);
+    throwTurned(turned.size(), mesh);
   }
-  std::vector<double> fraction(turned > 0 ? mesh.points.size() : 0, 1.0);
-  for (int round = 0; turned > 0; ++round)
+  std::vector<char> changed(turned.empty() ? 0 : mesh.points.size(), 0);
+  move.fraction.assign(mesh.points.size(), 1.0);
+  for (int round = 0; !turned.empty(); ++round)
   {
     if (round == MostRounds)
     {
-      throwTurned(turned, mesh);
+      throwTurned(turned.size(), mesh);
     }
-    const std::vector<char> flags = this->verticesOfTurned(mesh, before, execution);
-    for (std::size_t i = 0; i < flags.size(); ++i)
+    flagVertices(mesh, turned, changed);
+    if (round < EveningRounds)
     {
-      fraction[i] *= !flags[i] ? 1.0 : round < MostHalvings ? 0.5 : 0.0;
+      evenOut(mesh, turned, move.displacement);
     }
-    place(fraction);
-    turned = this->countTurned(mesh, before, execution);
+    else
+    {
+      shorten(mesh, turned, round < EveningRounds + MostHalvings ? 0.5 : 0.0, move.fraction);
+    }
+    place();
+    turned = this->turnedFaces(mesh, before, execution);
   }
-  return static_cast<Index>(
-    std::count_if(fraction.begin(), fraction.end(), [](double part) { return part < 1.0; }));
+  return static_cast<Index>(std::count(changed.begin(), changed.end(), 1));
 }
 
 } // namespace evolving

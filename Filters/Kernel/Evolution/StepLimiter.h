@@ -22,13 +22,22 @@ namespace evolving
 /// A step that would turn over more than this part of the faces has failed.
 constexpr double LargestTurnedPart = 0.1;
 
-/// Puts every vertex to its fraction, in [0, 1], of its move.
-using PlaceVertices = std::function<void(const std::vector<double>& fraction)>;
+/// Where the vertices of a step go.
+struct LimitedMove
+{
+  std::vector<Vec3> displacement; ///< changed by the limiter
+  std::vector<double> fraction;   ///< of it, in [0, 1]; chosen by the limiter
+};
+
+/// Moves the mesh by fraction times displacement, from where it was before the step.
+using PlaceVertices = std::function<void()>;
 
 /**
- * Shortens the moves of single vertices until no face turns by more than a right angle. Where a
+ * Changes the moves of single vertices until no face turns by more than a right angle. Where a
  * surface pinches off, or a sliver lies across the flow, the flow itself turns faces over, and
- * shorter steps would not help: there vertices wait while all others go on.
+ * shorter steps would not help. A face that is carried along as it is does not turn: so first the
+ * vertices of faces that would turn take the mean of their moves, and go on with the surface around
+ * them. Where that does not help, they wait while all others go on.
  *
  * Faces that have no area at the start or lie the wrong way round, against the normals of their
  * vertices, may turn: they must unfold. Those of vanished components have no sides.
@@ -44,18 +53,17 @@ public:
   /**
    * @param mesh at the points after the step
    * @param before the points before it, or before an earlier step if all since were limited
+   * @param move displacement: of the step
    * @param place moves the mesh
-   * @return the number of vertices that moved less than they should
+   * @return the number of vertices whose move was changed
    * @throws SolverError when more faces than LargestTurnedPart turn over
    */
-  Index limit(const SurfaceMesh& mesh, const std::vector<Vec3>& before, const PlaceVertices& place,
-    const Execution& execution) const;
+  Index limit(const SurfaceMesh& mesh, const std::vector<Vec3>& before, LimitedMove& move,
+    const PlaceVertices& place, const Execution& execution) const;
 
 private:
   bool isTurned(const SurfaceMesh& mesh, const std::vector<Vec3>& before, Index face) const;
-  Index countTurned(
-    const SurfaceMesh& mesh, const std::vector<Vec3>& before, const Execution& execution) const;
-  std::vector<char> verticesOfTurned(
+  std::vector<Index> turnedFaces(
     const SurfaceMesh& mesh, const std::vector<Vec3>& before, const Execution& execution) const;
 
   const VanishedComponents& Vanished;

@@ -18,10 +18,10 @@ namespace
 {
 
 /// A start and a limited move of it.
-class LimitedMove
+class TestedMove
 {
 public:
-  explicit LimitedMove(const SurfaceMesh& start)
+  explicit TestedMove(const SurfaceMesh& start)
     : Start(start)
     , Topology(start)
     , Vanished(start, this->Topology)
@@ -33,16 +33,17 @@ public:
   Index move(const std::vector<Vec3>& before, const std::vector<Vec3>& displacement)
   {
     this->Mesh = this->Start;
-    const auto place = [&](const std::vector<double>& fraction)
+    LimitedMove move{ displacement, std::vector<double>(before.size(), 1.0) };
+    const auto place = [&]
     {
       for (std::size_t i = 0; i < before.size(); ++i)
       {
-        this->Mesh.points[i] = before[i] + fraction[i] * displacement[i];
+        this->Mesh.points[i] = before[i] + move.fraction[i] * move.displacement[i];
       }
     };
-    place(std::vector<double>(before.size(), 1.0));
+    place();
     this->Vanished.update(this->Mesh);
-    return this->Limiter.limit(this->Mesh, before, place, Execution());
+    return this->Limiter.limit(this->Mesh, before, move, place, Execution());
   }
 
   SurfaceMesh Start;
@@ -67,7 +68,7 @@ Index turnedFaces(const SurfaceMesh& before, const SurfaceMesh& after)
 TEST(StepLimiter, LeavesAnOrdinaryStepAlone)
 {
   const SurfaceMesh start = shapes::bumpySphere(2);
-  LimitedMove limited(start);
+  TestedMove limited(start);
   std::vector<Vec3> displacement;
   for (const Vec3& p : start.points)
   {
@@ -80,7 +81,7 @@ TEST(StepLimiter, LeavesAnOrdinaryStepAlone)
 TEST(StepLimiter, AVertexThatGoesTooFarStopsBeforeItsFacesTurn)
 {
   const SurfaceMesh start = icosphere(2);
-  LimitedMove limited(start);
+  TestedMove limited(start);
   std::vector<Vec3> displacement(start.points.size(), Vec3::Zero());
   displacement[100] = -1.6 * start.points[100]; // through the sphere
   displacement[7] = Vec3(0.01, 0.0, 0.0);
@@ -97,7 +98,7 @@ TEST(StepLimiter, AVertexThatGoesTooFarStopsBeforeItsFacesTurn)
 TEST(StepLimiter, ASurfaceThatTurnsOverHasFailed)
 {
   const SurfaceMesh start = icosphere(2);
-  LimitedMove limited(start);
+  TestedMove limited(start);
   std::vector<Vec3> mirrored;
   for (const Vec3& p : start.points)
   {
@@ -122,7 +123,7 @@ TEST(StepLimiter, FacesThatStartTheWrongWayRoundMayUnfold)
   const Index vertex = 40; // in the middle
   folded.points[vertex] += Vec3(0.16, 0.05, 0.0);
   ASSERT_GT(turnedFaces(good, folded), 0);
-  LimitedMove limited(folded);
+  TestedMove limited(folded);
   std::vector<Vec3> displacement(folded.points.size(), Vec3::Zero());
   displacement[vertex] = good.points[vertex] - folded.points[vertex];
   EXPECT_EQ(limited.move(folded.points, displacement), 0);
@@ -134,7 +135,7 @@ TEST(StepLimiter, AVanishedComponentHasNoSides)
   // The smaller sphere becomes a point, and what rounding makes of it is turned inside out.
   const SurfaceMesh small = shapes::transformed(icosphere(2), 0.1, Vec3(4.0, 0.0, 0.0));
   const SurfaceMesh start = shapes::together(icosphere(2), small);
-  LimitedMove limited(start);
+  TestedMove limited(start);
   std::vector<Vec3> displacement(start.points.size(), Vec3::Zero());
   for (std::size_t i = 162; i < start.points.size(); ++i)
   {
