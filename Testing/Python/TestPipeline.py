@@ -152,7 +152,9 @@ class Pipelines(unittest.TestCase):
         even.SetInputConnection(evolution.GetOutputPort())
         even.SetNumberOfSteps(10)
         even.Update()
-        self.assertLess(np.abs(radii(even.GetOutput()) - 1.0).max(), 0.02)
+        errors = np.abs(radii(even.GetOutput()) - 1.0)
+        self.assertLess(np.percentile(errors, 99), 0.01)
+        self.assertLess(errors.max(), 0.05)  # slivers of the contour may wait, not fold
         self.assertEqual(even.GetOutput().GetNumberOfPolys(),
                          evolution.GetOutput().GetNumberOfPolys())
 

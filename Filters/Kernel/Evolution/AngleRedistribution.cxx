@@ -107,7 +107,8 @@ std::vector<Vec3> angleRedistribution(const SurfaceMesh& mesh, const SurfaceGeom
       const double rate = options.angle *
         weight(options.angleWeighting, mu[at(i)], meanCoVolume, distance, distanceScale, i);
       velocity[at(i)] = options.angleMethod == AngleMethod::Shape
-        ? Vec3(rate * bestShapeMove(mesh, geometry, i, tangents[at(i)]))
+        ? Vec3(rate *
+            bestShapeMove(mesh, geometry.topology(), i, geometry.normals()[at(i)], tangents[at(i)]))
         : limitedAngleVelocity(mesh, geometry, i, rate, timeStep);
     });
   return velocity;

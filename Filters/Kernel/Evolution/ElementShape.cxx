@@ -183,11 +183,9 @@ Vec3 upwardAt(
 
 } // namespace
 
-Vec3 bestShapeMove(
-  const SurfaceMesh& mesh, const SurfaceGeometry& geometry, Index vertex, const Vec3& tangent)
+Vec3 bestShapeMove(const SurfaceMesh& mesh, const MeshTopology& topology, Index vertex,
+  const Vec3& normal, const Vec3& tangent)
 {
-  const MeshTopology& topology = geometry.topology();
-  const Vec3& normal = geometry.normals()[at(vertex)];
   const Vec3 upward = upwardAt(mesh, topology, vertex, normal);
   if (upward.isZero(0.0))
   {

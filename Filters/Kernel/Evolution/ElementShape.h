@@ -9,7 +9,7 @@
 #ifndef EVOLVING_ELEMENT_SHAPE_H
 #define EVOLVING_ELEMENT_SHAPE_H
 
-#include "Evolution/SurfaceGeometry.h"
+#include "Mesh/MeshTopology.h"
 #include "Mesh/SurfaceMesh.h"
 
 namespace evolving
@@ -34,10 +34,11 @@ double cornerShape(const Vec3& e1, const Vec3& e2, Index faceSize);
  *
  * Not in the thesis. Its angle-based velocity (3.24) lowers no such measure: it improves most
  * elements at the expense of some.
+ * @param normal of the tangent plane, a unit vector, or zero for that of the faces around
  * @param tangent of the curve, a unit vector; zero off the curves
  */
-Vec3 bestShapeMove(
-  const SurfaceMesh& mesh, const SurfaceGeometry& geometry, Index vertex, const Vec3& tangent);
+Vec3 bestShapeMove(const SurfaceMesh& mesh, const MeshTopology& topology, Index vertex,
+  const Vec3& normal, const Vec3& tangent);
 
 } // namespace evolving
 

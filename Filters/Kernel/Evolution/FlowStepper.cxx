@@ -21,7 +21,8 @@ FlowStepper::FlowStepper(SurfaceMesh start, std::shared_ptr<const ScalarImage> f
   , Curves(this->Mesh, this->Topology)
   , OnCurves(this->Curves.startPositions())
   , Vanished(this->Mesh, this->Topology)
-  , Limiter(this->Mesh, angleWeightedNormals(this->Mesh, this->Topology, execution), this->Vanished)
+  , Limiter(this->Mesh, this->Topology, angleWeightedNormals(this->Mesh, this->Topology, execution),
+      this->Vanished)
   , Geometry(this->Topology)
   , Field(std::move(field), options, execution)
   , Tangential(this->Topology, this->Curves, options.redistribution, options.boundaryMode,
@@ -128,7 +129,8 @@ void FlowStepper::limitLastMove(const std::vector<Vec3>& before, const Execution
 {
   this->Vanished.update(this->Mesh);
   this->Limiter.limit(
-    this->Mesh, before, this->LastMove.limited, [&] { this->redoLastMove(execution); }, execution);
+    this->Mesh, before, this->Geometry.normals(), this->LastMove.limited,
+    [&] { this->redoLastMove(execution); }, execution);
 }
 
 /// As the limiter changed it; held vertices only know how far they slide.

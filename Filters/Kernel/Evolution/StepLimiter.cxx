@@ -4,6 +4,7 @@
 #include "Evolution/StepLimiter.h"
 
 #include "Errors.h"
+#include "Evolution/ElementShape.h"
 #include "Evolution/ParallelLoops.h"
 
 #include <algorithm>
@@ -18,8 +19,11 @@ namespace evolving
 namespace
 {
 
+/// Elements are untangled this often before moves are made alike.
+constexpr int UntanglingRounds = 8;
+constexpr int UntanglingSweeps = 2;
 /// Moves are made alike this often before they are halved.
-constexpr int EveningRounds = 16;
+constexpr int EveningRounds = 8;
 /// Moves are halved this often before they are given up.
 constexpr int MostHalvings = 5;
 /// A vertex that waits may turn its neighbours' faces over, so waiting spreads, but not far.
@@ -91,9 +95,7 @@ void evenOut(const SurfaceMesh& mesh, const std::vector<Index>& faces, std::vect
   }
 }
 
-/// Multiplies the fractions of the faces' vertices by a factor, once.
-void shorten(const SurfaceMesh& mesh, const std::vector<Index>& faces, double factor,
-  std::vector<double>& fraction)
+std::set<Index> verticesOf(const SurfaceMesh& mesh, const std::vector<Index>& faces)
 {
   std::set<Index> vertices;
   for (const Index face : faces)
@@ -103,7 +105,35 @@ void shorten(const SurfaceMesh& mesh, const std::vector<Index>& faces, double fa
       vertices.insert(mesh.faceVertex(face, k));
     }
   }
+  return vertices;
+}
+
+/// Adds the way along the surface to where the elements around are well shaped, one vertex after
+/// the other: points of slivers, close together, would all go the same way at once.
+void untangle(const SurfaceMesh& mesh, const MeshTopology& topology,
+  const std::vector<Vec3>& normals, const std::vector<Index>& faces, std::vector<Vec3>& vectors)
+{
+  SurfaceMesh moved = mesh;
+  const std::set<Index> vertices = verticesOf(mesh, faces);
+  for (int sweep = 0; sweep < UntanglingSweeps; ++sweep)
+  {
+    for (const Index vertex : vertices)
+    {
+      moved.points[at(vertex)] +=
+        bestShapeMove(moved, topology, vertex, normals[at(vertex)], Vec3::Zero());
+    }
+  }
   for (const Index vertex : vertices)
+  {
+    vectors[at(vertex)] += moved.points[at(vertex)] - mesh.points[at(vertex)];
+  }
+}
+
+/// Multiplies the fractions of the faces' vertices by a factor, once.
+void shorten(const SurfaceMesh& mesh, const std::vector<Index>& faces, double factor,
+  std::vector<double>& fraction)
+{
+  for (const Index vertex : verticesOf(mesh, faces))
   {
     fraction[at(vertex)] *= factor;
   }
@@ -120,9 +150,10 @@ void shorten(const SurfaceMesh& mesh, const std::vector<Index>& faces, double fa
 
 } // namespace
 
-StepLimiter::StepLimiter(
-  const SurfaceMesh& start, const std::vector<Vec3>& normals, const VanishedComponents& vanished)
-  : Vanished(vanished)
+StepLimiter::StepLimiter(const SurfaceMesh& start, const MeshTopology& topology,
+  const std::vector<Vec3>& normals, const VanishedComponents& vanished)
+  : Topology(topology)
+  , Vanished(vanished)
   , MayTurn(at(start.faceCount()))
 {
   for (Index face = 0; face < start.faceCount(); ++face)
@@ -157,7 +188,8 @@ std::vector<Index> StepLimiter::turnedFaces(
 }
 
 Index StepLimiter::limit(const SurfaceMesh& mesh, const std::vector<Vec3>& before,
-  LimitedMove& move, const PlaceVertices& place, const Execution& execution) const
+  const std::vector<Vec3>& normals, LimitedMove& move, const PlaceVertices& place,
+  const Execution& execution) const
 {
   std::vector<Index> turned = this->turnedFaces(mesh, before, execution);
   if (static_cast<double>(turned.size()) > LargestTurnedPart * mesh.faceCount())
@@ -173,13 +205,18 @@ Index StepLimiter::limit(const SurfaceMesh& mesh, const std::vector<Vec3>& befor
       throwTurned(turned.size(), mesh);
     }
     flagVertices(mesh, turned, changed);
-    if (round < EveningRounds)
+    if (round < UntanglingRounds)
+    {
+      untangle(mesh, this->Topology, normals, turned, move.displacement);
+    }
+    else if (round < UntanglingRounds + EveningRounds)
     {
       evenOut(mesh, turned, move.displacement);
     }
     else
     {
-      shorten(mesh, turned, round < EveningRounds + MostHalvings ? 0.5 : 0.0, move.fraction);
+      shorten(mesh, turned, round < UntanglingRounds + EveningRounds + MostHalvings ? 0.5 : 0.0,
+        move.fraction);
     }
     place();
     turned = this->turnedFaces(mesh, before, execution);

@@ -35,9 +35,10 @@ using PlaceVertices = std::function<void()>;
 /**
  * Changes the moves of single vertices until no face turns by more than a right angle. Where a
  * surface pinches off, or a sliver lies across the flow, the flow itself turns faces over, and
- * shorter steps would not help. A face that is carried along as it is does not turn: so first the
- * vertices of faces that would turn take the mean of their moves, and go on with the surface around
- * them. Where that does not help, they wait while all others go on.
+ * shorter steps would not help. So first the vertices of faces that would turn also move along the
+ * surface, to where the elements around them are well shaped. Where that does not help they take
+ * the mean of their moves, for a face that is carried along as it is does not turn; at last they
+ * wait while all others go on.
  *
  * Faces that have no area at the start or lie the wrong way round, against the normals of their
  * vertices, may turn: they must unfold. Those of vanished components have no sides.
@@ -47,25 +48,28 @@ class StepLimiter
 public:
   /// @param normals of the start's vertices
   /// @param vanished must outlive this object, and be up to date
-  StepLimiter(
-    const SurfaceMesh& start, const std::vector<Vec3>& normals, const VanishedComponents& vanished);
+  StepLimiter(const SurfaceMesh& start, const MeshTopology& topology,
+    const std::vector<Vec3>& normals, const VanishedComponents& vanished);
 
   /**
    * @param mesh at the points after the step
    * @param before the points before it, or before an earlier step if all since were limited
+   * @param normals of the vertices before the step
    * @param move displacement: of the step
    * @param place moves the mesh
    * @return the number of vertices whose move was changed
    * @throws SolverError when more faces than LargestTurnedPart turn over
    */
-  Index limit(const SurfaceMesh& mesh, const std::vector<Vec3>& before, LimitedMove& move,
-    const PlaceVertices& place, const Execution& execution) const;
+  Index limit(const SurfaceMesh& mesh, const std::vector<Vec3>& before,
+    const std::vector<Vec3>& normals, LimitedMove& move, const PlaceVertices& place,
+    const Execution& execution) const;
 
 private:
   bool isTurned(const SurfaceMesh& mesh, const std::vector<Vec3>& before, Index face) const;
   std::vector<Index> turnedFaces(
     const SurfaceMesh& mesh, const std::vector<Vec3>& before, const Execution& execution) const;
 
+  const MeshTopology& Topology;
   const VanishedComponents& Vanished;
   std::vector<char> MayTurn; ///< per face
 };

@@ -4,6 +4,7 @@
 #include "Evolution/ElementShape.h"
 
 #include "Evolution/EvolutionShapes.h"
+#include "Evolution/SurfaceGeometry.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +42,8 @@ Vec3 moveOf(const SurfaceMesh& mesh, Index vertex, const Vec3& tangent = Vec3::Z
   const MeshTopology topology(mesh);
   SurfaceGeometry geometry(topology);
   geometry.update(mesh, Execution());
-  return bestShapeMove(mesh, geometry, vertex, tangent);
+  return bestShapeMove(
+    mesh, topology, vertex, geometry.normals()[static_cast<std::size_t>(vertex)], tangent);
 }
 
 /// The sum that the move of vertex 0 of a star is to lower: its faces are triangles.

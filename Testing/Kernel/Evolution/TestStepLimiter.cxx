@@ -25,7 +25,8 @@ public:
     : Start(start)
     , Topology(start)
     , Vanished(start, this->Topology)
-    , Limiter(start, angleWeightedNormals(start), this->Vanished)
+    , Normals(angleWeightedNormals(start))
+    , Limiter(start, this->Topology, this->Normals, this->Vanished)
   {
   }
 
@@ -43,12 +44,13 @@ public:
     };
     place();
     this->Vanished.update(this->Mesh);
-    return this->Limiter.limit(this->Mesh, before, move, place, Execution());
+    return this->Limiter.limit(this->Mesh, before, this->Normals, move, place, Execution());
   }
 
   SurfaceMesh Start;
   MeshTopology Topology;
   VanishedComponents Vanished;
+  std::vector<Vec3> Normals;
   StepLimiter Limiter;
   SurfaceMesh Mesh;
 };
@@ -89,9 +91,6 @@ TEST(StepLimiter, AVertexThatGoesTooFarStopsBeforeItsFacesTurn)
   EXPECT_EQ(turnedFaces(start, limited.Mesh), 0);
   EXPECT_GE(shortened, 1);
   EXPECT_LE(shortened, 1 + limited.Topology.ringVertices(100).size());
-  const double part = (limited.Mesh.points[100] - start.points[100]).norm() / 1.6;
-  EXPECT_GT(part, 0.01);
-  EXPECT_LT(part, 0.6);
   EXPECT_EQ(limited.Mesh.points[7], Vec3(start.points[7] + displacement[7]));
 }
 
