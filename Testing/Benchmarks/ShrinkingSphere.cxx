@@ -3,8 +3,6 @@
 
 #include "ShrinkingSphere.h"
 
-#include "ThesisScheme.h"
-
 #include "Evolution/SurfaceFlow.h"
 
 #include <cmath>
@@ -83,9 +81,9 @@ SphereRun shrinkByKernel(const evolving::SurfaceMesh& start, const SphereSchedul
 }
 
 SphereRun shrinkByThesis(const evolving::SurfaceMesh& start, const SphereSchedule& schedule,
-  const TangentialForm& form, double omega, double tolerance)
+  const TangentialForm& form, double omega, const ThesisTolerances& tolerances)
 {
-  ThesisScheme scheme(start, tolerance);
+  ThesisScheme scheme(start, tolerances);
   if (omega > 0.0)
   {
     scheme.redistribute(form, omega);

@@ -10,7 +10,7 @@
 #ifndef BENCHMARK_SHRINKING_SPHERE_H
 #define BENCHMARK_SHRINKING_SPHERE_H
 
-#include "ThesisTangential.h"
+#include "ThesisScheme.h"
 #include "Timing.h"
 
 #include "Mesh/SurfaceMesh.h"
@@ -46,7 +46,7 @@ SphereRun shrinkByKernel(const evolving::SurfaceMesh& start, const SphereSchedul
 
 /// By ThesisScheme; omega = 0: without tangential velocity.
 SphereRun shrinkByThesis(const evolving::SurfaceMesh& start, const SphereSchedule& schedule,
-  const TangentialForm& form, double omega, double tolerance);
+  const TangentialForm& form, double omega, const ThesisTolerances& tolerances);
 
 } // namespace benchmark
 

@@ -21,7 +21,7 @@ using namespace benchmark;
 namespace
 {
 
-/// As tight as rounding of the positions allows: the errors are small differences of radii.
+/// Of the kernel's solver: the errors are small differences of radii.
 constexpr double Tolerance = 1e-10;
 
 /// A row's printed figures.
@@ -191,7 +191,7 @@ void printAsIn2020(const TableOf2020& mode, const Arguments& arguments)
     }
     const evolving::SurfaceMesh start = evolving::icosphere(r + 1);
     const SphereSchedule schedule = sphereSchedule(r);
-    const SphereRun run = shrinkByThesis(start, schedule, mode.form, mode.omega, Tolerance);
+    const SphereRun run = shrinkByThesis(start, schedule, mode.form, mode.omega, {});
     const Printed& printed = mode.thesis.printed[r];
     std::vector<std::string> row = scheduleCells(start.points.size(), schedule);
     append(row,

@@ -56,25 +56,28 @@ Matrix potentialMatrix(const ThesisGeometry& geometry)
   return fromTriplets(triplets, geometry.mu.size());
 }
 
-/// x is the guess, then the solution. Returns the number of iterations.
-template <class Column>
-long long solve(Solver& solver, const Eigen::VectorXd& b, Column&& x)
+/// Adds the number of iterations to the count.
+Eigen::VectorXd solved(
+  const Matrix& A, const Eigen::VectorXd& b, double tolerance, long long& count)
 {
-  x = solver.solveWithGuess(b, x).eval();
+  Solver solver(A);
+  solver.setTolerance(tolerance);
+  Eigen::VectorXd x = solver.solve(b);
   if (solver.info() != Eigen::Success)
   {
     std::cerr << "BiCGSTAB ended after " << solver.iterations() << " iterations at a residual of "
-              << solver.error() << ", expected " << solver.tolerance() << ".\n";
+              << solver.error() << ", expected " << tolerance << ".\n";
     std::exit(1);
   }
-  return solver.iterations();
+  count += solver.iterations();
+  return x;
 }
 
 } // namespace
 
-ThesisScheme::ThesisScheme(const evolving::SurfaceMesh& start, double tolerance)
+ThesisScheme::ThesisScheme(const evolving::SurfaceMesh& start, const ThesisTolerances& tolerances)
   : Neighbours(ringsOf(start))
-  , Tolerance(tolerance)
+  , Tolerances(tolerances)
   , F(start.vertexCount(), 3)
   , Psi(Eigen::VectorXd::Zero(start.vertexCount()))
 {
@@ -105,21 +108,18 @@ void ThesisScheme::step(double tau)
 
 void ThesisScheme::solvePotential()
 {
-  const Matrix A = potentialMatrix(this->Geometry);
-  Solver solver(A);
-  solver.setTolerance(this->Tolerance);
-  this->PotentialIterations +=
-    solve(solver, potentialRightHandSide(this->Geometry, this->Form, this->Omega), this->Psi);
+  const Eigen::VectorXd b = potentialRightHandSide(this->Geometry, this->Form, this->Omega);
+  this->Psi = solved(
+    potentialMatrix(this->Geometry), b, this->Tolerances.potential, this->PotentialIterations);
 }
 
 void ThesisScheme::solvePositions(double tau, const Eigen::MatrixX3d& b)
 {
   const Matrix A = evolutionMatrix(this->Geometry, tau);
-  Solver solver(A);
-  solver.setTolerance(this->Tolerance);
   for (int axis = 0; axis < 3; ++axis)
   {
-    this->CoordinateIterations += solve(solver, b.col(axis), this->F.col(axis));
+    this->F.col(axis) =
+      solved(A, b.col(axis), this->Tolerances.positions, this->CoordinateIterations);
   }
 }
 

@@ -16,12 +16,19 @@
 namespace benchmark
 {
 
+/// Of residuals, relative to the right-hand side. That of the positions is the positions
+/// themselves, of which a step changes a small part.
+struct ThesisTolerances
+{
+  double positions = 1e-13;
+  double potential = 1e-10;
+};
+
 class ThesisScheme
 {
 public:
   /// @param start closed, of triangles
-  /// @param tolerance of both systems, of the residual relative to the right-hand side
-  ThesisScheme(const evolving::SurfaceMesh& start, double tolerance);
+  ThesisScheme(const evolving::SurfaceMesh& start, const ThesisTolerances& tolerances);
 
   /// From now on with the tangential velocity of section 4.4.
   void redistribute(const TangentialForm& form, double omega);
@@ -41,12 +48,12 @@ private:
   void solvePositions(double tau, const Eigen::MatrixX3d& b);
 
   Rings Neighbours;
-  double Tolerance;
+  ThesisTolerances Tolerances;
   bool Redistributes = false;
   TangentialForm Form = RightForm;
   double Omega = 0.0;
   Eigen::MatrixX3d F;
-  Eigen::VectorXd Psi; ///< kept as the next step's guess
+  Eigen::VectorXd Psi;
   ThesisGeometry Geometry;
   long long CoordinateIterations = 0;
   long long PotentialIterations = 0;
