@@ -55,6 +55,8 @@ public:
   int iterations() const { return this->Iterations; }
 
 private:
+  /// The displacement if it goes on changing as it did.
+  void guess(const Execution& execution);
   void markKnown(const SurfaceGeometry& geometry, const StepInput& input);
   void assemble(
     const SurfaceGeometry& geometry, const StepInput& input, const Execution& execution);
@@ -63,7 +65,8 @@ private:
   std::vector<Vec3> B;
   std::vector<char> IsKnown;
   std::vector<Vec3> Known;
-  std::vector<Vec3> Displacement; ///< kept as the next step's guess
+  std::vector<Vec3> Displacement;
+  std::vector<Vec3> Previous; ///< the one before: both give the next step's guess
   int Iterations = 0;
 };
 

@@ -58,9 +58,13 @@ public:
   int iterations() const { return this->Iterations; }
 
 private:
+  /// The potential if it goes on changing as it did.
+  void guessPotential(const Execution& execution);
+
   std::vector<char> IsPinned;
   PoissonSolver Solver;
   std::vector<double> Psi;
+  std::vector<double> PreviousPsi; ///< both give the next solve's guess
   int Iterations = 0;
 };
 
