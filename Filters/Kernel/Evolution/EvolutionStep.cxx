@@ -25,24 +25,24 @@ const std::vector<Vec3>& EvolutionStep::displacement(const SurfaceGeometry& geom
   this->markKnown(geometry, input);
   this->assemble(geometry, input, execution);
   eliminateKnown(this->IsKnown, this->Known, this->A, this->B, execution);
-  this->guess(execution);
+  this->guessDisplacement(execution);
   SolverLimits limits;
   limits.tolerance = tolerance;
   this->Iterations = conjugateGradients(this->A, this->B, this->Displacement, limits, execution);
   return this->Displacement;
 }
 
-void EvolutionStep::guess(const Execution& execution)
+void EvolutionStep::guessDisplacement(const Execution& execution)
 {
   this->Displacement.resize(this->B.size(), Vec3::Zero());
-  this->Previous.resize(this->B.size(), Vec3::Zero());
+  this->Guess.extrapolate(this->Displacement, execution);
   forEachIndex(execution, this->A.rows(),
     [this](Index i)
     {
-      const Vec3 last = this->Displacement[at(i)];
-      this->Displacement[at(i)] =
-        this->IsKnown[at(i)] ? this->Known[at(i)] : Vec3(2.0 * last - this->Previous[at(i)]);
-      this->Previous[at(i)] = last;
+      if (this->IsKnown[at(i)])
+      {
+        this->Displacement[at(i)] = this->Known[at(i)];
+      }
     });
 }
 

@@ -9,6 +9,7 @@
 #ifndef EVOLVING_EVOLUTION_STEP_H
 #define EVOLVING_EVOLUTION_STEP_H
 
+#include "Evolution/SolutionGuess.h"
 #include "Evolution/SparseMatrix.h"
 #include "Evolution/SurfaceGeometry.h"
 #include "Execution.h"
@@ -55,8 +56,7 @@ public:
   int iterations() const { return this->Iterations; }
 
 private:
-  /// The displacement if it goes on changing as it did.
-  void guess(const Execution& execution);
+  void guessDisplacement(const Execution& execution);
   void markKnown(const SurfaceGeometry& geometry, const StepInput& input);
   void assemble(
     const SurfaceGeometry& geometry, const StepInput& input, const Execution& execution);
@@ -66,7 +66,7 @@ private:
   std::vector<char> IsKnown;
   std::vector<Vec3> Known;
   std::vector<Vec3> Displacement;
-  std::vector<Vec3> Previous; ///< the one before: both give the next step's guess
+  SolutionGuess<Vec3> Guess;
   int Iterations = 0;
 };
 

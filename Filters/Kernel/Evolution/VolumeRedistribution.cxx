@@ -71,19 +71,7 @@ std::vector<double> redistributionRightHandSide(const SurfaceGeometry& geometry,
 VolumeRedistribution::VolumeRedistribution(const MeshTopology& topology)
   : IsPinned(pinnedVertices(topology))
   , Psi(this->IsPinned.size(), 0.0)
-  , PreviousPsi(this->Psi)
 {
-}
-
-void VolumeRedistribution::guessPotential(const Execution& execution)
-{
-  forEachIndex(execution, static_cast<std::int64_t>(this->Psi.size()),
-    [this](Index i)
-    {
-      const double last = this->Psi[at(i)];
-      this->Psi[at(i)] = 2.0 * last - this->PreviousPsi[at(i)];
-      this->PreviousPsi[at(i)] = last;
-    });
 }
 
 std::vector<Vec3> VolumeRedistribution::velocity(const SurfaceMesh& mesh,
@@ -101,7 +89,7 @@ std::vector<Vec3> VolumeRedistribution::velocity(const SurfaceMesh& mesh,
   }
   SolverLimits limits;
   limits.tolerance = tolerance;
-  this->guessPotential(execution);
+  this->Guess.extrapolate(this->Psi, execution);
   this->Iterations = this->Solver.solve(
     geometry.volumes().stiffness(), this->IsPinned, std::move(b), this->Psi, limits, execution);
 

@@ -12,6 +12,7 @@
 
 #include "Evolution/FlowOptions.h"
 #include "Evolution/PoissonSolver.h"
+#include "Evolution/SolutionGuess.h"
 #include "Evolution/SurfaceGeometry.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
@@ -58,13 +59,10 @@ public:
   int iterations() const { return this->Iterations; }
 
 private:
-  /// The potential if it goes on changing as it did.
-  void guessPotential(const Execution& execution);
-
   std::vector<char> IsPinned;
   PoissonSolver Solver;
   std::vector<double> Psi;
-  std::vector<double> PreviousPsi; ///< both give the next solve's guess
+  SolutionGuess<double> Guess;
   int Iterations = 0;
 };
 
