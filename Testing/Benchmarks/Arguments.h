@@ -20,7 +20,7 @@ struct Arguments
   static constexpr int Automatic = -1;
 
   std::vector<std::string> models; ///< mesh files; folders are opened; by default Data/bunny.ply
-  std::vector<int> sizes;          ///< samples along each axis of the grids
+  std::vector<int> sizes;          ///< samples along each axis of the grids, or vertices
   int threads = 2;                 ///< of the measurements that use several
   int runs = 3;                    ///< of which the median is printed
   int subdivisions = Automatic;    ///< Loop's; automatic: towards 80,000 triangles

@@ -25,7 +25,17 @@ const std::vector<Vec3>& EvolutionStep::displacement(const SurfaceGeometry& geom
   this->markKnown(geometry, input);
   this->assemble(geometry, input, execution);
   eliminateKnown(this->IsKnown, this->Known, this->A, this->B, execution);
+  this->guessDisplacement(execution);
+  SolverLimits limits;
+  limits.tolerance = tolerance;
+  this->Iterations = conjugateGradients(this->A, this->B, this->Displacement, limits, execution);
+  return this->Displacement;
+}
+
+void EvolutionStep::guessDisplacement(const Execution& execution)
+{
   this->Displacement.resize(this->B.size(), Vec3::Zero());
+  this->Guess.extrapolate(this->Displacement, execution);
   forEachIndex(execution, this->A.rows(),
     [this](Index i)
     {
@@ -34,10 +44,6 @@ const std::vector<Vec3>& EvolutionStep::displacement(const SurfaceGeometry& geom
         this->Displacement[at(i)] = this->Known[at(i)];
       }
     });
-  SolverLimits limits;
-  limits.tolerance = tolerance;
-  this->Iterations = conjugateGradients(this->A, this->B, this->Displacement, limits, execution);
-  return this->Displacement;
 }
 
 void EvolutionStep::markKnown(const SurfaceGeometry& geometry, const StepInput& input)

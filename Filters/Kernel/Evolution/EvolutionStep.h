@@ -9,6 +9,7 @@
 #ifndef EVOLVING_EVOLUTION_STEP_H
 #define EVOLVING_EVOLUTION_STEP_H
 
+#include "Evolution/SolutionGuess.h"
 #include "Evolution/SparseMatrix.h"
 #include "Evolution/SurfaceGeometry.h"
 #include "Execution.h"
@@ -55,6 +56,7 @@ public:
   int iterations() const { return this->Iterations; }
 
 private:
+  void guessDisplacement(const Execution& execution);
   void markKnown(const SurfaceGeometry& geometry, const StepInput& input);
   void assemble(
     const SurfaceGeometry& geometry, const StepInput& input, const Execution& execution);
@@ -63,7 +65,8 @@ private:
   std::vector<Vec3> B;
   std::vector<char> IsKnown;
   std::vector<Vec3> Known;
-  std::vector<Vec3> Displacement; ///< kept as the next step's guess
+  std::vector<Vec3> Displacement;
+  SolutionGuess<Vec3> Guess;
   int Iterations = 0;
 };
 

@@ -141,15 +141,6 @@ void computePolygonStencil(const std::vector<Vec3>& corners, FaceStencil& stenci
   }
 }
 
-/// Area times gradient of the linear function with the given values at a triangle's corners.
-Vec3 areaTimesGradient(const std::array<Vec3, 3>& x, const std::array<double, 3>& f)
-{
-  const Vec3 normal = (x[1] - x[0]).cross(x[2] - x[0]).normalized(); // zero stays zero
-  // Differences only: a constant function has an exactly vanishing gradient.
-  const Vec3 rotated = (f[1] - f[0]) * (x[0] - x[2]) + (f[2] - f[0]) * (x[1] - x[0]);
-  return 0.5 * normal.cross(rotated);
-}
-
 } // namespace
 
 std::array<double, 3> halfCotangents(const Vec3& a, const Vec3& b, const Vec3& c)
@@ -170,6 +161,15 @@ std::array<double, 3> halfCotangents(const Vec3& a, const Vec3& b, const Vec3& c
 double triangleArea(const Vec3& a, const Vec3& b, const Vec3& c)
 {
   return 0.5 * (b - a).cross(c - a).norm();
+}
+
+Vec3 areaTimesGradient(const Vec3& a, const Vec3& b, const Vec3& c, const std::array<double, 3>& f)
+{
+  const Vec3 normal = (b - a).cross(c - a);
+  const double doubleArea = normal.norm();
+  // Differences only: a constant function has an exactly vanishing gradient.
+  const Vec3 rotated = (f[1] - f[0]) * (a - c) + (f[2] - f[0]) * (b - a);
+  return (doubleArea > 0.0 ? 0.5 / doubleArea : 0.0) * normal.cross(rotated);
 }
 
 VirtualVertex virtualVertex(const std::vector<Vec3>& corners)
@@ -202,8 +202,8 @@ void computeFaceGradient(const std::vector<Vec3>& corners, const std::vector<dou
 {
   if (corners.size() == 3)
   {
-    const Vec3 gradient = areaTimesGradient(
-      { corners[0], corners[1], corners[2] }, { values[0], values[1], values[2] });
+    const Vec3 gradient =
+      areaTimesGradient(corners[0], corners[1], corners[2], { values[0], values[1], values[2] });
     cornerGradients.assign(3, gradient / 3.0);
     return;
   }
@@ -219,7 +219,7 @@ void computeFaceGradient(const std::vector<Vec3>& corners, const std::vector<dou
   for (std::size_t i = 0; i < n; ++i)
   {
     const std::size_t next = (i + 1) % n;
-    const Vec3 third = areaTimesGradient({ corners[i], corners[next], apex.point },
+    const Vec3 third = areaTimesGradient(corners[i], corners[next], apex.point,
                          { values[i], values[next], apexValue }) /
       3.0;
     cornerGradients[i] += third;

@@ -40,10 +40,15 @@ void forEachEntry(const SparseMatrix& A, Index row, const Visit& visit)
 /// a_ii; 0 when it is not stored.
 inline double diagonalEntry(const SparseMatrix& A, Index row)
 {
-  double diagonal = 0.0;
-  forEachEntry(
-    A, row, [&](Index column, double value) { diagonal = column == row ? value : diagonal; });
-  return diagonal;
+  const Index* columns = A.innerIndexPtr();
+  for (Index k = A.outerIndexPtr()[row]; k < A.outerIndexPtr()[row + 1]; ++k)
+  {
+    if (columns[k] == row)
+    {
+      return A.valuePtr()[k];
+    }
+  }
+  return 0.0;
 }
 
 /// Values on vertices are numbers or points; both have an inner product and a zero.

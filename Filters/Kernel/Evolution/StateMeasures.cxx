@@ -19,11 +19,27 @@ namespace
 constexpr double DegreesPerRadian = 57.29577951308232;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
+/// Its corners share their sine, twice the area. A triangle without area has an angle of 0.
+double largestCotangent(const Vec3& a, const Vec3& b, const Vec3& c)
+{
+  const Vec3 ab = b - a;
+  const Vec3 bc = c - b;
+  const Vec3 ca = a - c;
+  const double cosine = -std::min({ ca.dot(ab), ab.dot(bc), bc.dot(ca) });
+  const double sine = ab.cross(bc).norm();
+  return sine > 0.0 ? cosine / sine : Infinity;
+}
+
 /// Of a face; cotangents fall as angles grow, and cost no inverse function.
 double largestCotangent(const SurfaceMesh& mesh, Index face)
 {
-  double largest = -Infinity;
   const Index size = mesh.faceSize(face);
+  if (size == 3)
+  {
+    return largestCotangent(
+      mesh.facePoint(face, 0), mesh.facePoint(face, 1), mesh.facePoint(face, 2));
+  }
+  double largest = -Infinity;
   for (Index k = 0; k < size; ++k)
   {
     const Vec3& corner = mesh.facePoint(face, k);

@@ -14,6 +14,57 @@ namespace evolving
 namespace
 {
 
+/// What the faces add, one after another.
+class FaceGradients
+{
+public:
+  FaceGradients(const SurfaceMesh& mesh, const std::vector<double>& values)
+    : Mesh(mesh)
+    , Values(values)
+  {
+  }
+
+  /// @param[out] gradients one per corner of the face
+  void compute(Index face, Vec3* gradients)
+  {
+    if (this->Mesh.faceSize(face) == 3)
+    {
+      std::fill_n(gradients, 3, this->ofTriangle(face));
+      return;
+    }
+    this->Corners.clear();
+    this->CornerValues.clear();
+    for (Index k = 0; k < this->Mesh.faceSize(face); ++k)
+    {
+      this->Corners.push_back(this->Mesh.facePoint(face, k));
+      this->CornerValues.push_back(this->value(face, k));
+    }
+    computeFaceGradient(this->Corners, this->CornerValues, this->Parts);
+    std::copy(this->Parts.begin(), this->Parts.end(), gradients);
+  }
+
+private:
+  double value(Index face, Index k) const
+  {
+    return this->Values[at(this->Mesh.faceVertex(face, k))];
+  }
+
+  Vec3 ofTriangle(Index face) const
+  {
+    const SurfaceMesh& mesh = this->Mesh;
+    return areaTimesGradient(mesh.facePoint(face, 0), mesh.facePoint(face, 1),
+             mesh.facePoint(face, 2),
+             { this->value(face, 0), this->value(face, 1), this->value(face, 2) }) /
+      3.0;
+  }
+
+  const SurfaceMesh& Mesh;
+  const std::vector<double>& Values;
+  std::vector<Vec3> Corners; ///< of one polygon
+  std::vector<double> CornerValues;
+  std::vector<Vec3> Parts;
+};
+
 /// Every corner's part of the sums at the vertices.
 std::vector<Vec3> cornerGradients(
   const SurfaceMesh& mesh, const std::vector<double>& values, const Execution& execution)
@@ -22,20 +73,10 @@ std::vector<Vec3> cornerGradients(
   execution.forRange(mesh.faceCount(), LoopGrain,
     [&](std::int64_t begin, std::int64_t end)
     {
-      std::vector<Vec3> corners;
-      std::vector<double> cornerValues;
-      std::vector<Vec3> parts;
+      FaceGradients faces(mesh, values);
       for (auto face = static_cast<Index>(begin); face < static_cast<Index>(end); ++face)
       {
-        corners.clear();
-        cornerValues.clear();
-        for (Index k = 0; k < mesh.faceSize(face); ++k)
-        {
-          corners.push_back(mesh.facePoint(face, k));
-          cornerValues.push_back(values[at(mesh.faceVertex(face, k))]);
-        }
-        computeFaceGradient(corners, cornerValues, parts);
-        std::copy(parts.begin(), parts.end(), gradients.begin() + mesh.faceOffsets[at(face)]);
+        faces.compute(face, gradients.data() + mesh.faceOffsets[at(face)]);
       }
     });
   return gradients;

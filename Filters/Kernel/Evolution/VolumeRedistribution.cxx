@@ -89,6 +89,7 @@ std::vector<Vec3> VolumeRedistribution::velocity(const SurfaceMesh& mesh,
   }
   SolverLimits limits;
   limits.tolerance = tolerance;
+  this->Guess.extrapolate(this->Psi, execution);
   this->Iterations = this->Solver.solve(
     geometry.volumes().stiffness(), this->IsPinned, std::move(b), this->Psi, limits, execution);
 

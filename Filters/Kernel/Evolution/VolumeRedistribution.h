@@ -12,6 +12,7 @@
 
 #include "Evolution/FlowOptions.h"
 #include "Evolution/PoissonSolver.h"
+#include "Evolution/SolutionGuess.h"
 #include "Evolution/SurfaceGeometry.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
@@ -61,6 +62,7 @@ private:
   std::vector<char> IsPinned;
   PoissonSolver Solver;
   std::vector<double> Psi;
+  SolutionGuess<double> Guess;
   int Iterations = 0;
 };
 

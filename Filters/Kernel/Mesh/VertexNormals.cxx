@@ -11,6 +11,8 @@ namespace evolving
 namespace
 {
 
+constexpr double FullTurn = 6.283185307179586;
+
 Vec3 normalizedOrZero(const Vec3& vector)
 {
   const double length = vector.norm();
@@ -26,7 +28,6 @@ Vec3 faceNormal(const SurfaceMesh& mesh, Index face)
 /// The interior angle of a face at its corner k, more than pi where a polygon is concave.
 double interiorAngle(const SurfaceMesh& mesh, Index face, Index k, const Vec3& normal)
 {
-  constexpr double FullTurn = 6.283185307179586;
   const Index size = mesh.faceSize(face);
   const Vec3& corner = mesh.facePoint(face, k);
   const Vec3 next = mesh.facePoint(face, (k + 1) % size) - corner;
@@ -41,6 +42,28 @@ double interiorAngle(const SurfaceMesh& mesh, Index face, Index k, const Vec3& n
   return angle < 0.0 ? angle + FullTurn : angle;
 }
 
+/// The interior angles at a face's corners; those of a triangle share their sine, and their sum
+/// saves the third inverse function.
+void computeAngles(const SurfaceMesh& mesh, Index face, const Vec3& normal, double* angles)
+{
+  const Index size = mesh.faceSize(face);
+  if (size != 3)
+  {
+    for (Index k = 0; k < size; ++k)
+    {
+      angles[k] = interiorAngle(mesh, face, k, normal);
+    }
+    return;
+  }
+  const Vec3 ab = mesh.facePoint(face, 1) - mesh.facePoint(face, 0);
+  const Vec3 bc = mesh.facePoint(face, 2) - mesh.facePoint(face, 1);
+  const Vec3 ca = mesh.facePoint(face, 0) - mesh.facePoint(face, 2);
+  const double sine = ab.cross(bc).norm();
+  angles[0] = std::atan2(sine, -ca.dot(ab));
+  angles[1] = std::atan2(sine, -ab.dot(bc));
+  angles[2] = 0.5 * FullTurn - angles[0] - angles[1];
+}
+
 } // namespace
 
 std::vector<Vec3> angleWeightedNormals(
@@ -48,12 +71,15 @@ std::vector<Vec3> angleWeightedNormals(
 {
   const auto at = [](auto i) { return static_cast<std::size_t>(i); };
   std::vector<Vec3> faceNormals(at(mesh.faceCount()));
+  std::vector<double> angles(at(mesh.cornerCount()));
   execution.forRange(mesh.faceCount(), Execution::MeshGrain,
     [&](std::int64_t begin, std::int64_t end)
     {
       for (auto face = static_cast<Index>(begin); face < static_cast<Index>(end); ++face)
       {
         faceNormals[at(face)] = faceNormal(mesh, face);
+        double* const own = angles.data() + mesh.faceOffsets[at(face)];
+        computeAngles(mesh, face, faceNormals[at(face)], own);
       }
     });
   std::vector<Vec3> normals(mesh.points.size());
@@ -65,9 +91,7 @@ std::vector<Vec3> angleWeightedNormals(
         Vec3 sum = Vec3::Zero();
         for (const Index corner : topology.ringCorners(v))
         {
-          const Index face = topology.faceOf(corner);
-          const Vec3& normal = faceNormals[at(face)];
-          sum += interiorAngle(mesh, face, corner - mesh.faceOffsets[at(face)], normal) * normal;
+          sum += angles[at(corner)] * faceNormals[at(topology.faceOf(corner))];
         }
         normals[at(v)] = normalizedOrZero(sum);
       }
