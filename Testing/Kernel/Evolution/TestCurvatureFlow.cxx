@@ -6,29 +6,77 @@
 #include "Evolution/EvolutionFields.h"
 #include "Evolution/EvolutionShapes.h"
 #include "Evolution/FlowRuns.h"
+#include "Evolution/RoundShapes.h"
+#include "Evolution/SurfaceProjector.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 using namespace evolving;
 
-TEST(CurvatureFlow, AreaFallsInEveryStepOfMeanCurvatureFlow)
+namespace
 {
-  for (const SurfaceMesh& start :
-    { shapes::bumpySphere(3), cubeSphere(8), shapes::torusGrid(24, 12, 1.0, 0.4, true) })
+
+void expectFallingArea(const SurfaceMesh& start, const FlowOptions& options)
+{
+  SurfaceFlow flow(start, nullptr, options);
+  double area = flow.record().area;
+  while (!flow.isFinished())
   {
-    SurfaceFlow flow(start, nullptr, flows::meanCurvatureFlow(0.002, 30, 1.0));
-    double area = flow.record().area;
-    while (!flow.isFinished())
+    flow.step();
+    EXPECT_LT(flow.record().area, area) << "step " << flow.record().iteration;
+    area = flow.record().area;
+  }
+  EXPECT_EQ(flow.record().iteration, options.numberOfSteps);
+}
+
+/// The bumps of bumpySphere() on other meshes of the sphere.
+SurfaceMesh bumpy(SurfaceMesh mesh)
+{
+  for (Vec3& p : mesh.points)
+  {
+    p *= 1.0 + 0.2 * std::sin(3.0 * p.x()) * std::cos(2.0 * p.y() + 1.0);
+  }
+  return mesh;
+}
+
+/// The smallest distance of vertices of one surface from the other, either way.
+double gapBetween(const SurfaceMesh& a, const SurfaceMesh& b)
+{
+  double gap = std::numeric_limits<double>::infinity();
+  const auto measure = [&gap](const SurfaceMesh& from, const SurfaceMesh& to)
+  {
+    const SurfaceProjector closest(to);
+    for (const Vec3& p : from.points)
     {
-      flow.step();
-      EXPECT_LT(flow.record().area, area);
-      area = flow.record().area;
+      gap = std::min(gap, (closest.project(p, Vec3::Zero(), p) - p).norm());
     }
-    EXPECT_EQ(flow.record().iteration, 30);
+  };
+  measure(a, b);
+  measure(b, a);
+  return gap;
+}
+
+} // namespace
+
+TEST(CurvatureFlow, AreaFallsInEveryStep)
+{
+  const SurfaceMesh bulgingTube =
+    shapes::tube(24, 12, 0.6, [](double z) { return 1.0 + 0.3 * std::sin(4.0 * z); });
+  for (const SurfaceMesh& start : { shapes::bumpySphere(3), bumpy(cubeSphere(8)),
+         bumpy(shapes::mixedSphere(3)), shapes::torusGrid(24, 12, 1.0, 0.4, true),
+         shapes::torusGrid(24, 12, 1.0, 0.4, false), bulgingTube })
+  {
+    expectFallingArea(start, flows::meanCurvatureFlow(0.002, 30));
+    expectFallingArea(start, flows::meanCurvatureFlow(0.002, 30, 1.0));
+    expectFallingArea(start, flows::meanCurvatureFlow(0.05, 3)); // an implicit step can be long
   }
 }
 
-TEST(CurvatureFlow, NestedSurfacesStayNested)
+TEST(CurvatureFlow, StaysBetweenTheSpheresAroundIt)
 {
   // The comparison principle: an ellipsoid between two spheres.
   SurfaceFlow flow(
@@ -42,6 +90,30 @@ TEST(CurvatureFlow, NestedSurfacesStayNested)
       EXPECT_LT(p.norm(), std::sqrt(1.0 - 4.0 * t) + 5e-3);
       EXPECT_GT(p.norm(), std::sqrt(0.49 - 4.0 * t) - 5e-3);
     }
+  }
+}
+
+TEST(CurvatureFlow, TheGapBetweenNestedSurfacesNeverShrinks)
+{
+  const SurfaceMesh outer = shapes::bumpySphere(3);
+  for (const SurfaceMesh& shape : { shapes::ellipsoid(3, Vec3(0.55, 0.45, 0.4)),
+         shapes::transformed(bumpy(shapes::mixedSphere(3)), 0.45, Vec3::Zero()) })
+  {
+    const SurfaceMesh inner = shapes::transformed(shape, 1.0, Vec3(0.1, 0.05, 0.0));
+    SurfaceFlow outside(outer, nullptr, flows::meanCurvatureFlow(0.002, 15));
+    SurfaceFlow inside(inner, nullptr, flows::meanCurvatureFlow(0.002, 15));
+    double gap = gapBetween(outer, inner);
+    EXPECT_GT(gap, 0.05);
+    while (!inside.isFinished())
+    {
+      outside.step();
+      inside.step();
+      const double now = gapBetween(outside.mesh(), inside.mesh());
+      EXPECT_GT(now, gap) << "step " << inside.record().iteration;
+      gap = now;
+    }
+    EXPECT_EQ(outside.stopReason() + inside.stopReason(), "");
+    EXPECT_GT(signedVolume(outside.mesh()), signedVolume(inside.mesh()));
   }
 }
 

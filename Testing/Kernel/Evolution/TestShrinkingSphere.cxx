@@ -5,6 +5,7 @@
 
 #include "Evolution/EvolutionShapes.h"
 #include "Evolution/FlowRuns.h"
+#include "Evolution/RoundShapes.h"
 
 #include <gtest/gtest.h>
 
@@ -78,14 +79,34 @@ TEST(ShrinkingSphere, ShrinksACubeSphereOfQuads)
     shrinkingSphereError(cubeSphere(12), 0.000625, 96, 0.0), 0.00016542, 5e-3 * 0.00016542);
 }
 
-TEST(ShrinkingSphere, RegularIcosahedronOnlyShrinks)
+TEST(ShrinkingSphere, ConvergesOnTrianglesQuadsPentagonsAndHexagonsTogether)
 {
-  SurfaceFlow flow(icosphere(0), nullptr, flows::meanCurvatureFlow(0.01, 5, 50.0));
-  flows::run(flow);
-  const double radius = flow.mesh().points[0].norm();
-  EXPECT_LT(radius, 0.95);
-  for (std::size_t i = 0; i < 12; ++i)
+  double coarse = shrinkingSphereError(shapes::mixedSphere(2), 0.0025, 24, 0.0);
+  EXPECT_LT(coarse, 0.001);
+  for (const int level : { 3, 4 })
   {
-    EXPECT_LT((flow.mesh().points[i] - radius * icosphere(0).points[i]).norm(), 1e-9);
+    const int steps = 96 << (2 * (level - 3));
+    const double fine = shrinkingSphereError(shapes::mixedSphere(level), 0.06 / steps, steps, 0.0);
+    EXPECT_GT(std::log2(coarse / fine), 1.65) << "to level " << level;
+    EXPECT_LT(std::log2(coarse / fine), 2.1) << "to level " << level;
+    coarse = fine;
+  }
+}
+
+TEST(ShrinkingSphere, EveryComponentShrinksByItsOwnRadius)
+{
+  // A sphere of triangles and a smaller one of quads, with redistribution per component.
+  const SurfaceMesh first = icosphere(3);
+  const SurfaceMesh second = shapes::transformed(cubeSphere(12), 0.6, Vec3(3.0, 0.0, 0.0));
+  SurfaceFlow flow(
+    shapes::together(first, second), nullptr, flows::meanCurvatureFlow(0.0005, 120, 1.0));
+  flows::run(flow);
+  EXPECT_EQ(flow.stopReason(), "");
+  for (std::size_t i = 0; i < flow.mesh().points.size(); ++i)
+  {
+    const bool isFirst = i < first.points.size();
+    const double radius = isFirst ? 1.0 : 0.6;
+    const Vec3 centre = isFirst ? Vec3(Vec3::Zero()) : Vec3(3.0, 0.0, 0.0);
+    EXPECT_NEAR((flow.mesh().points[i] - centre).norm(), std::sqrt(radius * radius - 0.24), 0.003);
   }
 }
