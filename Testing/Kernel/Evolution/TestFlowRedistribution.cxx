@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace evolving;
@@ -170,6 +171,31 @@ TEST(FlowRedistribution, EveryComponentIsEvenByItself)
   const auto middle = mu.begin() + big.vertexCount();
   EXPECT_LT(shapes::relativeSpread({ mu.begin(), middle }), 0.05);
   EXPECT_LT(shapes::relativeSpread({ middle, mu.end() }), 0.05);
+}
+
+TEST(FlowRedistribution, AngleWeightsActDuringAFlow)
+{
+  FlowOptions options = flows::towardsSphere(0);
+  options.redistribution.volume = 0.0;
+  options.redistribution.angle = 0.1;
+  const auto start = [&](AngleWeighting weighting)
+  {
+    options.redistribution.angleWeighting = weighting;
+    return SurfaceFlow(shapes::unevenSphere(3), shapes::sphereField(41, 1.6, 0.5), options);
+  };
+  const SurfaceFlow plain = start(AngleWeighting::None);
+  const SurfaceFlow byArea = start(AngleWeighting::InverseArea);
+  const SurfaceFlow byDistance = start(AngleWeighting::Distance);
+  const double mean = plain.record().area / 642.0;
+  for (std::size_t i = 0; i < 642; ++i)
+  {
+    const Vec3& v = plain.arrays().tangentialVelocity[i];
+    const double area = std::min(1.0, mean / plain.arrays().coVolume[i]);
+    EXPECT_LT((byArea.arrays().tangentialVelocity[i] - area * v).norm(), 1e-14);
+    const double distance = plain.arrays().distance[i] / plain.lengthUnit();
+    EXPECT_LT((byDistance.arrays().tangentialVelocity[i] - distance * v).norm(), 1e-14);
+    EXPECT_LT(distance, 0.65); // 0.5 / (0.5 sqrt(3)): not one
+  }
 }
 
 TEST(FlowRedistribution, VelocitiesAreTangentialInEveryStep)

@@ -5,9 +5,13 @@
 
 #include "Evolution/Discretization.h"
 #include "Evolution/EvolutionShapes.h"
+#include "Evolution/RoundShapes.h"
 #include "Evolution/SurfaceGeometry.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
 
 // The properties that section 4.1 asks of a discrete Laplacian.
 
@@ -19,8 +23,20 @@ namespace
 std::vector<SurfaceMesh> variousSurfaces()
 {
   return { icosphere(2), shapes::bumpySphere(2), cubeSphere(4), shapes::hexagonalPrism(),
-    shapes::shakenSheet(6, true, 0.4, 1), shapes::shakenSheet(6, false, 0.3, 2),
-    shapes::torusGrid(9, 7, 2.0, 0.8, false) };
+    shapes::mixedSphere(2), shapes::shakenSheet(6, true, 0.4, 1),
+    shapes::shakenSheet(6, false, 0.3, 2), shapes::torusGrid(9, 7, 2.0, 0.8, false) };
+}
+
+/// Dirichlet energy over squared norm of a function on a surface.
+double rayleighQuotient(const Discretization& d, const std::function<double(const Vec3&)>& function)
+{
+  Eigen::VectorXd f(d.mesh.vertexCount());
+  for (Eigen::Index i = 0; i < f.size(); ++i)
+  {
+    f[i] = function(d.mesh.points[static_cast<std::size_t>(i)]);
+  }
+  const Eigen::Map<const Eigen::VectorXd> mu(d.volumes.coVolumes().data(), f.size());
+  return f.dot(d.volumes.stiffness() * f) / f.cwiseAbs2().dot(mu);
 }
 
 } // namespace
@@ -36,7 +52,7 @@ TEST(LaplacianProperties, StiffnessIsSymmetric)
 
 TEST(LaplacianProperties, StiffnessIsLocal)
 {
-  const Discretization d(cubeSphere(4));
+  const Discretization d(shapes::mixedSphere(2));
   for (Index row = 0; row < d.mesh.vertexCount(); ++row)
   {
     forEachEntry(d.volumes.stiffness(), row,
@@ -131,5 +147,48 @@ TEST(LaplacianProperties, MeanCurvatureConvergesOnTheSphere)
       lastError = error;
     }
     EXPECT_LT(lastError, 0.1);
+  }
+}
+
+TEST(LaplacianProperties, TheEnergyOfThePositionsIsTwiceTheArea)
+{
+  // The Dirichlet energy of the identity; on polygons the area of the fans around virtual vertices.
+  for (const SurfaceMesh& mesh : variousSurfaces())
+  {
+    const Discretization d(mesh);
+    double energy = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Eigen::VectorXd f(d.mesh.vertexCount());
+      for (Eigen::Index i = 0; i < f.size(); ++i)
+      {
+        f[i] = d.mesh.points[static_cast<std::size_t>(i)][axis];
+      }
+      energy += f.dot(d.volumes.stiffness() * f);
+    }
+    EXPECT_NEAR(energy, 2.0 * d.area(), 1e-13 * energy);
+  }
+}
+
+TEST(LaplacianProperties, EigenvaluesOfTheSphereConvergeWithSecondOrder)
+{
+  // Spherical harmonics of degree n have the eigenvalue n (n + 1).
+  const auto quadratic = [](const Vec3& p) { return p.x() * p.y() + p.y() * p.z(); };
+  const auto cubic = [](const Vec3& p) { return p.x() * p.y() * p.z(); };
+  using Sphere = std::function<SurfaceMesh(int)>;
+  for (const Sphere& sphere :
+    { Sphere([](int level) { return icosphere(level); }),
+      Sphere([](int level) { return cubeSphere(3 << (level - 1)); }), Sphere(shapes::mixedSphere) })
+  {
+    const Discretization coarse(sphere(3));
+    const Discretization fine(sphere(4));
+    EXPECT_NEAR(rayleighQuotient(fine, cubic), 12.0, 0.2);
+    EXPECT_NEAR(rayleighQuotient(fine, quadratic), 6.0, 0.06);
+    const double cubicRatio =
+      (rayleighQuotient(coarse, cubic) - 12.0) / (rayleighQuotient(fine, cubic) - 12.0);
+    const double quadraticRatio =
+      (rayleighQuotient(coarse, quadratic) - 6.0) / (rayleighQuotient(fine, quadratic) - 6.0);
+    EXPECT_NEAR(std::log2(cubicRatio), 2.0, 0.15);
+    EXPECT_NEAR(std::log2(quadraticRatio), 2.0, 0.15);
   }
 }
