@@ -3,12 +3,13 @@
 
 /**
  * @file
- * Surfaces with known answers for the tests of the evolution folder.
+ * Surfaces and images with known answers for the tests of the evolution folder.
  */
 
 #ifndef EVOLVING_EVOLUTION_SHAPES_H
 #define EVOLVING_EVOLUTION_SHAPES_H
 
+#include "Evolution/EvolutionFields.h" // for callers: most flows need both
 #include "Mesh/SurfaceMesh.h"
 #include "StartSurface/PrimitiveSurfaces.h"
 

@@ -16,7 +16,7 @@
 
 using namespace evolving;
 
-TEST(FlowEnds, EndsWhenNothingMovesAnyMore)
+TEST(FlowStops, EndsWhenNothingMovesAnyMore)
 {
   const auto field = shapes::sphereField(61, 1.6, 0.5);
   FlowOptions options = flows::towardsSphere(2000);
@@ -46,7 +46,7 @@ TEST(FlowEnds, EndsWhenNothingMovesAnyMore)
   EXPECT_LT(smoothed.record().area, areaWhenConverged);
 }
 
-TEST(FlowEnds, StopsWhenTheSurfaceVanishes)
+TEST(FlowStops, StopsWhenTheSurfaceVanishes)
 {
   SurfaceFlow flow(icosphere(2), nullptr, flows::meanCurvatureFlow(0.02, 100, 1.0));
   flows::run(flow);
@@ -60,7 +60,7 @@ TEST(FlowEnds, StopsWhenTheSurfaceVanishes)
   EXPECT_EQ(static_cast<Index>(flow.arrays().coVolume.size()), 162);
 }
 
-TEST(FlowEnds, StopsAtTheGuardWithTheLastGoodState)
+TEST(FlowStops, StopsAtTheGuardWithTheLastGoodState)
 {
   // Without curvature motion nothing pulls points back that leave a sphere along its tangents.
   SurfaceMesh start = icosphere(2);
@@ -82,7 +82,7 @@ TEST(FlowEnds, StopsAtTheGuardWithTheLastGoodState)
   }
 }
 
-TEST(FlowEnds, AnyParametersEndInAFiniteSurface)
+TEST(FlowStops, AnyParametersEndInAFiniteSurface)
 {
   std::mt19937 random(2020);
   const auto logarithmic = [&](double low, double high)
@@ -129,7 +129,7 @@ TEST(FlowEnds, AnyParametersEndInAFiniteSurface)
   }
 }
 
-TEST(FlowEnds, SurvivesDegenerateFaces)
+TEST(FlowStops, SurvivesDegenerateFaces)
 {
   SurfaceMesh start = shapes::bumpySphere(2);
   const MeshTopology topology(start);
@@ -145,7 +145,7 @@ TEST(FlowEnds, SurvivesDegenerateFaces)
   EXPECT_LT(flows::largestRadialError(flow.mesh(), 0.5), 0.05);
 }
 
-TEST(FlowEnds, RefusesWhatItCannotUse)
+TEST(FlowStops, RefusesWhatItCannotUse)
 {
   const auto make = [](SurfaceMesh mesh, const FlowOptions& options = FlowOptions())
   { SurfaceFlow flow(std::move(mesh), nullptr, options); };
