@@ -9,13 +9,12 @@
 #ifndef EVOLVING_EVOLUTION_SHAPES_H
 #define EVOLVING_EVOLUTION_SHAPES_H
 
-#include "Evolution/ScalarImage.h"
+#include "Evolution/EvolutionFields.h" // for callers: most flows need both
 #include "Mesh/SurfaceMesh.h"
 #include "StartSurface/PrimitiveSurfaces.h"
 
 #include <cmath>
 #include <functional>
-#include <memory>
 #include <random>
 #include <vector>
 
@@ -168,6 +167,26 @@ inline SurfaceMesh tube(
   return mesh;
 }
 
+/// A closed prism over a regular hexagon: two hexagons and six quads.
+inline SurfaceMesh hexagonalPrism()
+{
+  SurfaceMesh mesh;
+  for (const double z : { 0.0, 0.7 })
+  {
+    for (int k = 0; k < 6; ++k)
+    {
+      mesh.addPoint(Vec3(std::cos(k * Pi / 3.0), std::sin(k * Pi / 3.0), z));
+    }
+  }
+  mesh.addFace({ 5, 4, 3, 2, 1, 0 });
+  mesh.addFace({ 6, 7, 8, 9, 10, 11 });
+  for (Index k = 0; k < 6; ++k)
+  {
+    mesh.addFace({ k, (k + 1) % 6, (k + 1) % 6 + 6, k + 6 });
+  }
+  return mesh;
+}
+
 inline SurfaceMesh together(const SurfaceMesh& first, const SurfaceMesh& second)
 {
   SurfaceMesh mesh = first;
@@ -191,47 +210,6 @@ inline SurfaceMesh transformed(SurfaceMesh mesh, double scale, const Vec3& offse
     point = scale * point + offset;
   }
   return mesh;
-}
-
-/// n samples along each axis over [-half, half]^3 about a centre.
-inline DistanceGrid cubicGrid(int n, double half, const Vec3& centre = Vec3::Zero())
-{
-  DistanceGrid grid;
-  grid.origin = centre - Vec3::Constant(half);
-  grid.spacing = Vec3::Constant(2.0 * half / (n - 1));
-  grid.extent = { 0, n - 1, 0, n - 1, 0, n - 1 };
-  return grid;
-}
-
-inline std::vector<float> sampleOn(
-  const DistanceGrid& grid, const std::function<double(const Vec3&)>& function)
-{
-  std::vector<float> values;
-  const Extent& e = grid.extent;
-  for (int k = e[4]; k <= e[5]; ++k)
-  {
-    for (int j = e[2]; j <= e[3]; ++j)
-    {
-      for (int i = e[0]; i <= e[1]; ++i)
-      {
-        const Vec3 point = grid.origin + Vec3(i, j, k).cwiseProduct(grid.spacing);
-        values.push_back(static_cast<float>(function(point)));
-      }
-    }
-  }
-  return values;
-}
-
-inline std::shared_ptr<const ScalarImage> image(
-  const DistanceGrid& grid, const std::function<double(const Vec3&)>& function)
-{
-  return std::make_shared<const ScalarImage>(grid, sampleOn(grid, function));
-}
-
-/// The signed distance from a sphere about the origin.
-inline std::shared_ptr<const ScalarImage> sphereField(int n, double half, double radius)
-{
-  return image(cubicGrid(n, half), [=](const Vec3& p) { return p.norm() - radius; });
 }
 
 /// Standard deviation over mean.

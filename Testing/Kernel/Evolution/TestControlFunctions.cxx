@@ -4,6 +4,7 @@
 #include "Evolution/ControlFunctions.h"
 
 #include "Evolution/EdgeDetector.h"
+#include "Evolution/EvolutionFields.h"
 #include "Evolution/EvolutionShapes.h"
 
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 #include "Evolution/ScalarImage.h"
 
 #include "Errors.h"
+#include "Evolution/EvolutionFields.h"
 #include "Evolution/EvolutionShapes.h"
 
 #include <gtest/gtest.h>

@@ -6,10 +6,12 @@
 #include "Evolution/CurvatureDensity.h"
 #include "Evolution/EvolutionShapes.h"
 #include "Evolution/EvolutionStep.h"
+#include "Evolution/RoundShapes.h"
 
 #include <gtest/gtest.h>
 
-#include <numeric>
+#include <algorithm>
+#include <cmath>
 
 using namespace evolving;
 
@@ -84,17 +86,30 @@ std::vector<Vec3> someVelocity(const SurfaceMesh& mesh)
 
 TEST(VolumeRedistribution, RightHandSideSumsToZeroOverEveryComponent)
 {
+  // Triangles, mixed polygons, and a surface with boundary.
   const Surface s(shapes::together(shapes::bumpySphere(3),
-    shapes::transformed(shapes::ellipsoid(2, Vec3(1, 2, 3)), 0.3, Vec3(5, 0, 0))));
+    shapes::together(shapes::transformed(shapes::mixedSphere(2), 0.3, Vec3(5, 0, 0)),
+      shapes::transformed(shapes::halfSphere(6), 1.0, Vec3(0, 5, 0)))));
+  const auto components = static_cast<std::size_t>(s.topology.componentCount());
+  ASSERT_EQ(components, 3u);
   for (const CurvatureControl control : { CurvatureControl::None, CurvatureControl::TwoThirds })
   {
     const std::vector<double> wanted = wantedCoVolumes(s.geometry, control, 1.0, Execution());
     const std::vector<double> b = redistributionRightHandSide(
       s.geometry, someVelocity(s.mesh), wanted, 17.0, 1e300, Execution());
-    const auto middle = b.begin() + 642;
-    EXPECT_NEAR(std::accumulate(b.begin(), middle, 0.0), 0.0, 1e-12);
-    EXPECT_NEAR(std::accumulate(middle, b.end(), 0.0), 0.0, 1e-12);
-    EXPECT_GT(*std::max_element(b.begin(), b.end()), 1e-3);
+    std::vector<double> sum(components, 0.0);
+    std::vector<double> size(components, 0.0);
+    for (std::size_t i = 0; i < b.size(); ++i)
+    {
+      const auto c = static_cast<std::size_t>(s.topology.componentOfVertex()[i]);
+      sum[c] += b[i];
+      size[c] += std::abs(b[i]);
+    }
+    for (std::size_t c = 0; c < components; ++c)
+    {
+      EXPECT_LT(std::abs(sum[c]), 1e-14 * size[c]) << "component " << c;
+      EXPECT_GT(size[c], 1e-2);
+    }
   }
 }
 
@@ -155,7 +170,7 @@ TEST(VolumeRedistribution, DoesNotMoveARegularIcosahedron)
   for (const Vec3& v : redistribution.velocity(
          s.mesh, s.geometry, s.geometry.curvatureVectors(), options, 1e-9, 1e-10, Execution()))
   {
-    EXPECT_LT(v.norm(), 1e-10);
+    EXPECT_LT(v.norm(), 1e-12);
   }
 }
 
@@ -176,70 +191,5 @@ TEST(VolumeRedistribution, ComponentsDoNotKnowEachOther)
   for (std::size_t i = 0; i < v.size(); ++i)
   {
     EXPECT_LT((v[i] - w[i]).norm(), 1e-8);
-  }
-}
-
-TEST(CurvatureDensity, IsUniformOnASphereAndWithoutControl)
-{
-  const Surface s(shapes::bumpySphere(2));
-  const double mean = totalArea(s.geometry.coVolumes(), Execution()) / 162.0;
-  for (const double wanted : wantedCoVolumes(s.geometry, CurvatureControl::None, 1.0, {}))
-  {
-    EXPECT_NEAR(wanted, mean, 1e-14);
-  }
-  const Surface ball(icosphere(3));
-  const double meanOfBall = totalArea(ball.geometry.coVolumes(), Execution()) / 642.0;
-  for (const double wanted : wantedCoVolumes(ball.geometry, CurvatureControl::TwoThirds, 1.0, {}))
-  {
-    EXPECT_NEAR(wanted, meanOfBall, 0.02 * meanOfBall);
-  }
-}
-
-TEST(CurvatureDensity, IsSmallerWhereTheSurfaceIsCurved)
-{
-  const Surface s(shapes::ellipsoid(4, Vec3(2, 1, 1))); // tips at x = +-2
-  const auto tip =
-    static_cast<std::size_t>(std::max_element(s.mesh.points.begin(), s.mesh.points.end(),
-                               [](const Vec3& a, const Vec3& b) { return a.x() < b.x(); }) -
-      s.mesh.points.begin());
-  const auto side = static_cast<std::size_t>(
-    std::min_element(s.mesh.points.begin(), s.mesh.points.end(),
-      [](const Vec3& a, const Vec3& b) { return std::abs(a.x()) < std::abs(b.x()); }) -
-    s.mesh.points.begin());
-  // H = 2 a / b^2 = 4 at the tips, b / a^2 + 1 / b = 1.25 around the middle.
-  const double ratio = 4.0 / 1.25;
-  const auto wantedRatio = [&](CurvatureControl control, double alpha)
-  {
-    const std::vector<double> wanted = wantedCoVolumes(s.geometry, control, alpha, Execution());
-    const double sum = std::accumulate(wanted.begin(), wanted.end(), 0.0);
-    EXPECT_NEAR(sum, totalArea(s.geometry.coVolumes(), Execution()), 1e-10);
-    return wanted[side] / wanted[tip];
-  };
-  EXPECT_NEAR(wantedRatio(CurvatureControl::CubeRoot, 1.0), std::cbrt(ratio), 0.05);
-  EXPECT_NEAR(wantedRatio(CurvatureControl::TwoThirds, 1.0), std::pow(ratio, 2.0 / 3.0), 0.1);
-  EXPECT_NEAR(wantedRatio(CurvatureControl::Exponential, 0.3), std::exp(0.3 * 2.75), 0.1);
-}
-
-TEST(CurvatureDensity, DiffersByTenToOneAtMost)
-{
-  const Surface s(subdividedBox(8)); // flat sides, sharp edges
-  for (const CurvatureControl control :
-    { CurvatureControl::CubeRoot, CurvatureControl::TwoThirds, CurvatureControl::Exponential })
-  {
-    const std::vector<double> wanted = wantedCoVolumes(s.geometry, control, 1e3, Execution());
-    const auto ends = std::minmax_element(wanted.begin(), wanted.end());
-    EXPECT_GT(*ends.first, 0.0);
-    EXPECT_LE(*ends.second / *ends.first, LargestAreaRatio * (1.0 + 1e-12));
-    EXPECT_GT(*ends.second / *ends.first, 3.0);
-  }
-}
-
-TEST(CurvatureDensity, IsUniformOnAPlane)
-{
-  const Surface s(shapes::sheet(6, true));
-  // The pull at the boundary is along the plane: H = 0 everywhere.
-  for (const double wanted : wantedCoVolumes(s.geometry, CurvatureControl::TwoThirds, 1.0, {}))
-  {
-    EXPECT_NEAR(wanted, 1.0 / 49.0, 1e-12);
   }
 }

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * Images with known answers for the tests of the evolution folder.
+ */
+
+#ifndef EVOLVING_EVOLUTION_FIELDS_H
+#define EVOLVING_EVOLUTION_FIELDS_H
+
+#include "Distance/DistanceGrid.h"
+#include "Evolution/ScalarImage.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace evolving::shapes
+{
+
+/// n samples along each axis over [-half, half]^3 about a centre.
+inline DistanceGrid cubicGrid(int n, double half, const Vec3& centre = Vec3::Zero())
+{
+  DistanceGrid grid;
+  grid.origin = centre - Vec3::Constant(half);
+  grid.spacing = Vec3::Constant(2.0 * half / (n - 1));
+  grid.extent = { 0, n - 1, 0, n - 1, 0, n - 1 };
+  return grid;
+}
+
+inline std::vector<float> sampleOn(
+  const DistanceGrid& grid, const std::function<double(const Vec3&)>& function)
+{
+  std::vector<float> values;
+  const Extent& e = grid.extent;
+  for (int k = e[4]; k <= e[5]; ++k)
+  {
+    for (int j = e[2]; j <= e[3]; ++j)
+    {
+      for (int i = e[0]; i <= e[1]; ++i)
+      {
+        const Vec3 point = grid.origin + Vec3(i, j, k).cwiseProduct(grid.spacing);
+        values.push_back(static_cast<float>(function(point)));
+      }
+    }
+  }
+  return values;
+}
+
+inline std::shared_ptr<const ScalarImage> image(
+  const DistanceGrid& grid, const std::function<double(const Vec3&)>& function)
+{
+  return std::make_shared<const ScalarImage>(grid, sampleOn(grid, function));
+}
+
+/// The signed distance from a sphere about the origin.
+inline std::shared_ptr<const ScalarImage> sphereField(int n, double half, double radius)
+{
+  return image(cubicGrid(n, half), [=](const Vec3& p) { return p.norm() - radius; });
+}
+
+} // namespace evolving::shapes
+
+#endif

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * The flows that the tests run, and what they measure of a result.
+ */
+
+#ifndef EVOLVING_FLOW_RUNS_H
+#define EVOLVING_FLOW_RUNS_H
+
+#include "Evolution/SurfaceFlow.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace evolving::flows
+{
+
+inline FlowOptions meanCurvatureFlow(double timeStep, int steps, double omega = 0.0)
+{
+  FlowOptions options;
+  options.relativeUnits = false;
+  options.timeStep = timeStep;
+  options.numberOfSteps = steps;
+  options.redistribution.volume = omega;
+  return options;
+}
+
+/// Towards a sphere of radius 0.5 from a bumpy one around it.
+inline FlowOptions towardsSphere(int steps)
+{
+  FlowOptions options;
+  options.timeStep = 0.05;
+  options.numberOfSteps = steps;
+  options.curvatureSpeed = 0.1;
+  options.advectionSpeed = 1.0;
+  options.redistribution.volume = 1.0;
+  return options;
+}
+
+inline void run(SurfaceFlow& flow)
+{
+  while (!flow.isFinished())
+  {
+    flow.step();
+  }
+}
+
+inline double largestRadialError(const SurfaceMesh& mesh, double radius)
+{
+  double worst = 0.0;
+  for (const Vec3& p : mesh.points)
+  {
+    worst = std::max(worst, std::abs(p.norm() - radius));
+  }
+  return worst;
+}
+
+} // namespace evolving::flows
+
+#endif
