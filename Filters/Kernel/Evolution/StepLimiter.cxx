@@ -143,7 +143,7 @@ void shorten(const SurfaceMesh& mesh, const std::vector<Index>& faces, double fa
 {
   std::ostringstream message;
   message << turned << " of " << mesh.faceCount()
-          << " faces turned over in one step, expected at most a tenth; use a shorter time step "
+          << " faces turned over in one step, expected at most a fifth; use a shorter time step "
              "or a weaker redistribution.";
   throw SolverError(message.str());
 }

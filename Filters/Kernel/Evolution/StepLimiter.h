@@ -20,7 +20,7 @@ namespace evolving
 {
 
 /// A step that would turn over more than this part of the faces has failed.
-constexpr double LargestTurnedPart = 0.1;
+constexpr double LargestTurnedPart = 0.2;
 
 /// Where the vertices of a step go.
 struct LimitedMove
