@@ -54,6 +54,12 @@ public:
    */
   std::vector<Vec3> curvatureVectors(const SurfaceMesh& mesh, const Execution& execution) const;
 
+  /// FaceStencil::pairWeights of the face whose first corner this is.
+  const double* pairWeights(Index firstCorner) const
+  {
+    return this->PairWeights.data() + this->PairOffsets[static_cast<std::size_t>(firstCorner)];
+  }
+
   const MeshTopology& topology() const { return this->Topology; }
 
 private:

@@ -58,6 +58,7 @@ private:
 
   FlowSetup Setup;
   Execution Run;
+  Vec3 Center; ///< of the start
   StateCheck Check;
   FlowStepper Stepper;
   bool HasVelocities = false; ///< the stepper's are those of its position

@@ -72,11 +72,11 @@ double smallestCornerAngle(const SurfaceMesh& mesh, const Execution& execution)
   return faces > 0 ? DegreesPerRadian * std::atan2(1.0, cotangent) : 0.0;
 }
 
-void measureState(
-  const SurfaceMesh& mesh, const FlowArrays& arrays, FlowRecord& record, const Execution& execution)
+void measureState(const SurfaceMesh& mesh, const Vec3& center, const FlowArrays& arrays,
+  FlowRecord& record, const Execution& execution)
 {
   record.area = totalArea(arrays.coVolume, execution);
-  record.volume = signedVolume(mesh);
+  record.volume = signedVolume(mesh, center);
   record.minAngle = smallestCornerAngle(mesh, execution);
   record.meanDistance = 0.0;
   record.maxDistance = 0.0;

@@ -19,10 +19,11 @@ namespace evolving
 /**
  * Fills in area, volume, mean and largest |d| (0 without distances; the mean is over the
  * surface) and the smallest corner angle in degrees. Leaves the other numbers.
+ * @param center that the volume of an open surface is measured from
  * @param arrays coVolume and distance are read
  */
-void measureState(const SurfaceMesh& mesh, const FlowArrays& arrays, FlowRecord& record,
-  const Execution& execution);
+void measureState(const SurfaceMesh& mesh, const Vec3& center, const FlowArrays& arrays,
+  FlowRecord& record, const Execution& execution);
 
 /// The smallest corner angle of all faces in degrees; 0 when an edge has no length.
 double smallestCornerAngle(const SurfaceMesh& mesh, const Execution& execution);

@@ -35,9 +35,10 @@ constexpr double SmallestRelativeArea = 1e-10;
 /// Half the sum of the cross products around a face: its area times its normal.
 Vec3 vectorArea(const SurfaceMesh& faces, const std::vector<Vec3>& points, Index face)
 {
-  const Vec3& origin = points[at(faces.faceVertex(face, 0))];
-  Vec3 sum = Vec3::Zero();
-  for (Index k = 2; k < faces.faceSize(face); ++k)
+  const Index* const corners = faces.cornerVertices.data() + faces.faceOffsets[at(face)];
+  const Vec3& origin = points[at(corners[0])];
+  Vec3 sum = (points[at(corners[1])] - origin).cross(points[at(corners[2])] - origin);
+  for (Index k = 3; k < faces.faceSize(face); ++k)
   {
     sum += (points[at(faces.faceVertex(face, k - 1))] - origin)
              .cross(points[at(faces.faceVertex(face, k))] - origin);
@@ -165,9 +166,8 @@ StepLimiter::StepLimiter(const SurfaceMesh& start, const MeshTopology& topology,
 bool StepLimiter::isTurned(
   const SurfaceMesh& mesh, const std::vector<Vec3>& before, Index face) const
 {
-  return !this->MayTurn[at(face)] &&
-    vectorArea(mesh, mesh.points, face).dot(vectorArea(mesh, before, face)) < 0.0 &&
-    !this->Vanished.contain(mesh.faceVertex(face, 0));
+  return vectorArea(mesh, mesh.points, face).dot(vectorArea(mesh, before, face)) < 0.0 &&
+    !this->MayTurn[at(face)] && !this->Vanished.contain(mesh.faceVertex(face, 0));
 }
 
 std::vector<Index> StepLimiter::turnedFaces(

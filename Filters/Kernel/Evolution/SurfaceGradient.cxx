@@ -18,8 +18,10 @@ namespace
 class FaceGradients
 {
 public:
-  FaceGradients(const SurfaceMesh& mesh, const std::vector<double>& values)
+  FaceGradients(
+    const SurfaceMesh& mesh, const FiniteVolumes& volumes, const std::vector<double>& values)
     : Mesh(mesh)
+    , Volumes(volumes)
     , Values(values)
   {
   }
@@ -49,16 +51,22 @@ private:
     return this->Values[at(this->Mesh.faceVertex(face, k))];
   }
 
+  /// A third of area times gradient. With the edges' weights, half the cotangents opposite, that is
+  /// the sum over them of weight times difference times edge: neither normal nor root are needed.
   Vec3 ofTriangle(Index face) const
   {
     const SurfaceMesh& mesh = this->Mesh;
-    return areaTimesGradient(mesh.facePoint(face, 0), mesh.facePoint(face, 1),
-             mesh.facePoint(face, 2),
-             { this->value(face, 0), this->value(face, 1), this->value(face, 2) }) /
-      3.0;
+    const double* const w = this->Volumes.pairWeights(mesh.faceOffsets[at(face)]);
+    const Vec3 ab = mesh.facePoint(face, 1) - mesh.facePoint(face, 0);
+    const Vec3 ac = mesh.facePoint(face, 2) - mesh.facePoint(face, 0);
+    const double f = this->value(face, 0);
+    const double toB = this->value(face, 1) - f;
+    const double toC = this->value(face, 2) - f;
+    return (w[0] * toB * ab + w[1] * toC * ac + w[2] * (toC - toB) * (ac - ab)) / 3.0;
   }
 
   const SurfaceMesh& Mesh;
+  const FiniteVolumes& Volumes;
   const std::vector<double>& Values;
   std::vector<Vec3> Corners; ///< of one polygon
   std::vector<double> CornerValues;
@@ -66,14 +74,14 @@ private:
 };
 
 /// Every corner's part of the sums at the vertices.
-std::vector<Vec3> cornerGradients(
-  const SurfaceMesh& mesh, const std::vector<double>& values, const Execution& execution)
+std::vector<Vec3> cornerGradients(const SurfaceMesh& mesh, const FiniteVolumes& volumes,
+  const std::vector<double>& values, const Execution& execution)
 {
   std::vector<Vec3> gradients(mesh.cornerVertices.size());
   execution.forRange(mesh.faceCount(), LoopGrain,
     [&](std::int64_t begin, std::int64_t end)
     {
-      FaceGradients faces(mesh, values);
+      FaceGradients faces(mesh, volumes, values);
       for (auto face = static_cast<Index>(begin); face < static_cast<Index>(end); ++face)
       {
         faces.compute(face, gradients.data() + mesh.faceOffsets[at(face)]);
@@ -87,7 +95,7 @@ std::vector<Vec3> cornerGradients(
 std::vector<Vec3> surfaceGradient(const SurfaceMesh& mesh, const FiniteVolumes& volumes,
   const std::vector<double>& values, const Execution& execution)
 {
-  const std::vector<Vec3> parts = cornerGradients(mesh, values, execution);
+  const std::vector<Vec3> parts = cornerGradients(mesh, volumes, values, execution);
   std::vector<Vec3> gradient(mesh.points.size());
   forEachIndex(execution, mesh.vertexCount(),
     [&](Index i)

@@ -132,7 +132,11 @@ double signedVolume(const SurfaceMesh& mesh)
   {
     return 0.0;
   }
-  const Vec3 center = box.center();
+  return signedVolume(mesh, box.center());
+}
+
+double signedVolume(const SurfaceMesh& mesh, const Vec3& center)
+{
   double sixfold = 0.0;
   for (Index face = 0; face < mesh.faceCount(); ++face)
   {

@@ -71,6 +71,8 @@ double surfaceArea(const SurfaceMesh& mesh);
  * meaningless for a surface with boundary.
  */
 double signedVolume(const SurfaceMesh& mesh);
+/// About a point near the surface: of an open surface, the volume of the cone from there.
+double signedVolume(const SurfaceMesh& mesh, const Vec3& center);
 
 /// The same surface seen from its other side: every face with its corners in reverse order.
 SurfaceMesh reversed(const SurfaceMesh& mesh);

@@ -84,7 +84,7 @@ TEST(StateMeasures, MeasuresASphereBesideItsTarget)
   arrays.distance.assign(mesh.points.size(), -0.5);
   arrays.distance[9] = 3.0;
   FlowRecord record;
-  measureState(mesh, arrays, record, Execution());
+  measureState(mesh, Vec3::Zero(), arrays, record, Execution());
   EXPECT_NEAR(record.area, 16.0 * shapes::Pi, 1e-9);
   EXPECT_NEAR(record.volume, 32.0 / 3.0 * shapes::Pi, 0.1);
   EXPECT_NEAR(record.meanDistance, 0.5 + 2.5 / 2562.0, 1e-12);
