@@ -244,7 +244,8 @@ public:
    * thesis, taken at once up to a product of 0.3 of rate and time step; or SHAPE: each point
    * goes at the given rate to the place between its neighbours where the elements around it have
    * the best shapes (the sum of their squared inverse mean ratios is least), at once up to 0.8.
-   * SHAPE improves the worst elements most and keeps differences in size.
+   * SHAPE improves the worst elements most and keeps differences in size; it does so best at 0.8
+   * over the time step.
    */
   vtkSetClampMacro(AngleMethod, int, WEIGHTED_EDGES, SHAPE);
   vtkGetMacro(AngleMethod, int);

@@ -13,13 +13,15 @@ import vtkmodules.vtkRenderingFreeType  # noqa: F401  (what vtkRenderingCore dra
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (and everything else)
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401  (and volumes)
 from vtkmodules.vtkCommonDataModel import vtkBoundingBox
-from vtkmodules.vtkImagingCore import vtkImageShrink3D
+from vtkmodules.vtkImagingCore import vtkImageShiftScale, vtkImageShrink3D
+from vtkmodules.vtkImagingMath import vtkImageMaskBits
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (vtkLight, vtkRenderer, vtkRenderWindow, vtkTextActor,
                                          vtkWindowToImageFilter)
 
 FINE = 2                                         # drawn so much larger, then averaged: fine edges
 MARGIN, LINE, BAR = 10, 24, 64                   # pixels: around text, a line of it, a scalar bar
+SHADES = 0xF8                                    # the bits of a colour that are kept
 GAP = 4                                          # left and right of a panel
 
 
@@ -133,10 +135,18 @@ def write(window, path):
     smaller.SetInputConnection(picture.GetOutputPort())
     smaller.SetShrinkFactors(FINE, FINE, 1)
     smaller.AveragingOn()
+    coarser = vtkImageMaskBits()                 # 32 shades of each colour: half the file
+    coarser.SetInputConnection(smaller.GetOutputPort())
+    coarser.SetMasks(SHADES, SHADES, SHADES, SHADES)
+    brighter = vtkImageShiftScale()              # white is white again
+    brighter.SetInputConnection(coarser.GetOutputPort())
+    brighter.SetScale(255.0 / SHADES)
+    brighter.ClampOverflowOn()
+    brighter.SetOutputScalarTypeToUnsignedChar()
     writer = vtkPNGWriter()
     writer.SetCompressionLevel(9)
     writer.SetFileName(str(path))
-    writer.SetInputConnection(smaller.GetOutputPort())
+    writer.SetInputConnection(brighter.GetOutputPort())
     writer.Write()
     if writer.GetErrorCode():
         sys.exit(f"cannot write {path}")
