@@ -40,13 +40,21 @@ struct Corner
   }
 };
 
-bool isSpoiled(
-  const SurfaceMesh& mesh, const std::vector<Vec3>& before, double largestCotangent, Index face)
+bool isSpoiled(const SurfaceMesh& mesh, const std::vector<Vec3>& before,
+  const std::vector<Vec3>& normals, double largestCotangent, Index face)
 {
   Vec3 normal = Vec3::Zero();
+  Vec3 normalNow = Vec3::Zero();
+  Vec3 upward = Vec3::Zero();
   for (Index k = 0; k < mesh.faceSize(face); ++k)
   {
     normal += Corner(mesh, before, face, k).normal();
+    normalNow += Corner(mesh, mesh.points, face, k).normal();
+    upward += normals[at(mesh.faceVertex(face, k))];
+  }
+  if (normal.dot(upward) > 0.0 && !(normalNow.dot(upward) > 0.0))
+  {
+    return true;
   }
   double sharpestBefore = -std::numeric_limits<double>::infinity();
   double sharpest = sharpestBefore;
@@ -67,12 +75,13 @@ bool isSpoiled(
 } // namespace
 
 std::vector<char> spoiledElements(const SurfaceMesh& mesh, const std::vector<Vec3>& before,
-  double smallestAngle, const Execution& execution)
+  const std::vector<Vec3>& normals, double smallestAngle, const Execution& execution)
 {
   const double largestCotangent = 1.0 / std::tan(smallestAngle * RadiansPerDegree);
   std::vector<char> spoiled(at(mesh.faceCount()));
   forEachIndex(execution, mesh.faceCount(),
-    [&](Index face) { spoiled[at(face)] = isSpoiled(mesh, before, largestCotangent, face); });
+    [&](Index face)
+    { spoiled[at(face)] = isSpoiled(mesh, before, normals, largestCotangent, face); });
   return spoiled;
 }
 

@@ -19,15 +19,17 @@ namespace evolving
 
 /**
  * A move spoils an element when a corner that was convex, seen along the element's normal before
- * the move, is not after it, or when the element's smallest angle drops and is below
+ * the move, is not after it; when the element showed the side that its vertices show, and does not
+ * any more (so that none turns over step by step); or when its smallest angle drops and is below
  * smallestAngle.
  * @param mesh at the points after the move
  * @param before the points before it
+ * @param normals of the vertices before it
  * @param smallestAngle in degrees, above 0
  * @return one flag per face
  */
 std::vector<char> spoiledElements(const SurfaceMesh& mesh, const std::vector<Vec3>& before,
-  double smallestAngle, const Execution& execution);
+  const std::vector<Vec3>& normals, double smallestAngle, const Execution& execution);
 
 } // namespace evolving
 

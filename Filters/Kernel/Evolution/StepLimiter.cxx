@@ -22,6 +22,9 @@ namespace
 /// Elements are untangled this often before moves are made alike.
 constexpr int UntanglingRounds = 8;
 constexpr int UntanglingSweeps = 2;
+/// Of the longest move around: what comes from a step is undone by less than a step. Without such a
+/// bound points wander off over the folds of a surface that has collapsed.
+constexpr double LargestUntanglingPart = 0.5;
 /// Moves are made alike this often before they are halved.
 constexpr int EveningRounds = 8;
 /// Moves are halved this often before they are given up.
@@ -109,6 +112,17 @@ std::set<Index> verticesOf(const SurfaceMesh& mesh, const std::vector<Index>& fa
   return vertices;
 }
 
+/// Of the vectors of a vertex and its neighbours.
+double longestAround(const MeshTopology& topology, const std::vector<Vec3>& vectors, Index vertex)
+{
+  double longest = vectors[at(vertex)].norm();
+  for (const Index neighbour : topology.ringVertices(vertex))
+  {
+    longest = std::max(longest, vectors[at(neighbour)].norm());
+  }
+  return longest;
+}
+
 /// Adds the way along the surface to where the elements around are well shaped, one vertex after
 /// the other: points of slivers, close together, would all go the same way at once.
 void untangle(const SurfaceMesh& mesh, const MeshTopology& topology,
@@ -126,7 +140,9 @@ void untangle(const SurfaceMesh& mesh, const MeshTopology& topology,
   }
   for (const Index vertex : vertices)
   {
-    vectors[at(vertex)] += moved.points[at(vertex)] - mesh.points[at(vertex)];
+    const Vec3 way = moved.points[at(vertex)] - mesh.points[at(vertex)];
+    const double farthest = LargestUntanglingPart * longestAround(topology, vectors, vertex);
+    vectors[at(vertex)] += way.norm() > farthest ? Vec3(farthest / way.norm() * way) : way;
   }
 }
 

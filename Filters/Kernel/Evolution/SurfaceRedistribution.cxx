@@ -22,9 +22,9 @@ namespace evolving
 namespace
 {
 
-/// Where only areas count, elements may lose angle as long as their smallest one stays above this,
-/// in degrees.
-constexpr double GoodAngle = 20.0;
+/// Where areas count, elements may lose angle as long as their smallest one stays above this, in
+/// degrees.
+constexpr double GoodAngle = 10.0;
 /// Where angles count, meshes better than this may lose some: a quad mesh of rectangles could not
 /// move else.
 constexpr double ExcellentAngle = 40.0;
@@ -65,12 +65,13 @@ RedistributionOptions ratesOf(
 double guardedAngle(
   const SurfaceMesh& surface, const RedistributionOptions& rates, const Execution& execution)
 {
+  const double floor = rates.volume > 0.0 || rates.angle == 0.0 ? GoodAngle : 0.0;
   if (rates.angle > 0.0)
   {
     const double smallest = smallestCornerAngle(surface, execution);
-    return std::min(ExcellentAngle, smallest) * (1.0 - 1e-12); // not by rounding
+    return std::max(floor, std::min(ExcellentAngle, smallest) * (1.0 - 1e-12)); // not by rounding
   }
-  return GoodAngle;
+  return floor;
 }
 
 /// A surface whose points move along it.
@@ -166,8 +167,8 @@ void MovingSurface::place(const std::vector<char>& changed, const Execution& exe
 bool MovingSurface::shortenSpoilingMoves(
   int attempt, std::vector<char>& changed, const Execution& execution)
 {
-  const std::vector<char> spoiled =
-    spoiledElements(this->Mesh, this->Before, this->SmallestAngle, execution);
+  const std::vector<char> spoiled = spoiledElements(
+    this->Mesh, this->Before, this->Geometry.normals(), this->SmallestAngle, execution);
   std::fill(changed.begin(), changed.end(), 0);
   bool any = false;
   for (Index face = 0; face < this->Mesh.faceCount(); ++face)
@@ -198,6 +199,9 @@ void MovingSurface::move(const Execution& execution)
     execution.report(1.0);
     this->place(changed, execution);
   }
+  // What has been gained is kept.
+  this->SmallestAngle = std::max(
+    this->SmallestAngle, guardedAngle(this->Mesh, this->Options.redistribution, execution));
 }
 
 SurfaceRedistributionResult MovingSurface::result() const

@@ -279,12 +279,13 @@ TEST(ElementGuard, FlagsTurnedAndSharpenedElements)
   SurfaceMesh mesh;
   mesh.points = { Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, 0.8, 0) };
   mesh.addFace({ 0, 1, 2 });
+  const std::vector<Vec3> up(3, Vec3::UnitZ());
   const auto isSpoiled = [&](const Vec3& before, const Vec3& after)
   {
     std::vector<Vec3> old = mesh.points;
     old[2] = before;
     mesh.points[2] = after;
-    return spoiledElements(mesh, old, 20.0, Execution())[0] != 0;
+    return spoiledElements(mesh, old, up, 20.0, Execution())[0] != 0;
   };
   const Vec3 high(0.5, 0.8, 0);
   EXPECT_FALSE(isSpoiled(high, Vec3(0.5, 0.3, 0)));               // 31 degrees is still good
