@@ -7,7 +7,7 @@
 # Builds the programs of Testing/Benchmarks in build/release and runs them one after the other; their
 # tables go to the terminal and to build/release/benchmarks/tables.txt. Takes about half an hour.
 #
-#   MESH or FOLDER  where AccuracyStudy measures errors (default: Data)
+#   MESH or FOLDER  where AccuracyStudy and RedistributionStudy measure (default: Data)
 #   --scan MESH     what the other programs of the distance measure, subdivided towards 80,000
 #                   triangles (default: Data/bunny.ply)
 #   --peers         installs OpenVDB to compare with, where it is missing (root or sudo)
@@ -99,6 +99,7 @@ run_all()
   "$programs/SphereTables"
   "$programs/StepTiming"
   "$programs/SolverChoice"
+  "$programs/RedistributionStudy" "${meshes[@]}"
   "$programs/PeerComparison" "$scan"
   "$programs/TimingStudy" "$scan"
   "$programs/ScalingStudy" "$scan" ${dragon_file:+"$dragon_file"}

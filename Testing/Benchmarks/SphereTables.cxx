@@ -71,7 +71,8 @@ const TableOf2020 TablesOf2020[] = {
     FormOfTable62, 1.0, "" },
   { "Table 6.3 as in 2020: the same, co-volumes driven apart, omega = 10", Tables[2], FormOfTable63,
     10.0,
-    "2562 vertices: what else that run had is not known; no tolerance of the solver explains it" },
+    "2562 vertices: what else that run had is not known; it is neither the tolerance of the solver"
+    " nor a limit of its iterations" },
 };
 constexpr double AllowedOf2020 = 5e-4;
 
