@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(Targets, FlowOntoTarget,
   ::testing::Values(
     Target{ "Itself", [](const Vec3& p) { return p.norm() - 1.0; }, 33, 1.6, 0.98, 1.005 },
     Target{ "SmallerThanACell", [](const Vec3& p) { return p.norm() - 0.05; }, 17, 1.6, 0.0, 0.12 },
-    Target{ "APoint", [](const Vec3& p) { return p.norm(); }, 17, 1.6, 0.0, 0.1, "turned over" },
+    Target{ "APoint", [](const Vec3& p) { return p.norm(); }, 17, 1.6, 0.0, 0.1 },
     Target{
       "GridInsideTheStart", [](const Vec3& p) { return p.norm() - 0.3; }, 17, 0.5, 0.27, 0.33 },
     Target{ "AConstant", [](const Vec3&) { return 1.0; }, 9, 1.6, 0.0, 0.1, "shrunk" },
