@@ -4,14 +4,11 @@
 #include "Evolution/StepLimiter.h"
 
 #include "Errors.h"
-#include "Evolution/ElementShape.h"
+#include "Evolution/MoveCorrections.h"
 #include "Evolution/ParallelLoops.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
 #include <sstream>
-#include <utility>
 
 namespace evolving
 {
@@ -21,10 +18,6 @@ namespace
 
 /// Elements are untangled this often before moves are made alike.
 constexpr int UntanglingRounds = 8;
-constexpr int UntanglingSweeps = 2;
-/// Of the longest move around: what comes from a step is undone by less than a step. Without such a
-/// bound points wander off over the folds of a surface that has collapsed.
-constexpr double LargestUntanglingPart = 0.5;
 /// Moves are made alike this often before they are halved.
 constexpr int EveningRounds = 8;
 /// Moves are halved this often before they are given up.
@@ -72,87 +65,6 @@ void flagVertices(
     {
       flags[at(mesh.faceVertex(face, k))] = 1;
     }
-  }
-}
-
-/// Gives the vertices of each face the mean of their vectors; of several means, the mean.
-void evenOut(const SurfaceMesh& mesh, const std::vector<Index>& faces, std::vector<Vec3>& vectors)
-{
-  std::map<Index, std::pair<Vec3, int>> means;
-  for (const Index face : faces)
-  {
-    Vec3 mean = Vec3::Zero();
-    for (Index k = 0; k < mesh.faceSize(face); ++k)
-    {
-      mean += vectors[at(mesh.faceVertex(face, k))] / mesh.faceSize(face);
-    }
-    for (Index k = 0; k < mesh.faceSize(face); ++k)
-    {
-      auto& sum = means.try_emplace(mesh.faceVertex(face, k), Vec3::Zero(), 0).first->second;
-      sum.first += mean;
-      ++sum.second;
-    }
-  }
-  for (const auto& [vertex, sum] : means)
-  {
-    vectors[at(vertex)] = sum.first / sum.second;
-  }
-}
-
-std::set<Index> verticesOf(const SurfaceMesh& mesh, const std::vector<Index>& faces)
-{
-  std::set<Index> vertices;
-  for (const Index face : faces)
-  {
-    for (Index k = 0; k < mesh.faceSize(face); ++k)
-    {
-      vertices.insert(mesh.faceVertex(face, k));
-    }
-  }
-  return vertices;
-}
-
-/// Of the vectors of a vertex and its neighbours.
-double longestAround(const MeshTopology& topology, const std::vector<Vec3>& vectors, Index vertex)
-{
-  double longest = vectors[at(vertex)].norm();
-  for (const Index neighbour : topology.ringVertices(vertex))
-  {
-    longest = std::max(longest, vectors[at(neighbour)].norm());
-  }
-  return longest;
-}
-
-/// Adds the way along the surface to where the elements around are well shaped, one vertex after
-/// the other: points of slivers, close together, would all go the same way at once.
-void untangle(const SurfaceMesh& mesh, const MeshTopology& topology,
-  const std::vector<Vec3>& normals, const std::vector<Index>& faces, std::vector<Vec3>& vectors)
-{
-  SurfaceMesh moved = mesh;
-  const std::set<Index> vertices = verticesOf(mesh, faces);
-  for (int sweep = 0; sweep < UntanglingSweeps; ++sweep)
-  {
-    for (const Index vertex : vertices)
-    {
-      moved.points[at(vertex)] +=
-        bestShapeMove(moved, topology, vertex, normals[at(vertex)], Vec3::Zero());
-    }
-  }
-  for (const Index vertex : vertices)
-  {
-    const Vec3 way = moved.points[at(vertex)] - mesh.points[at(vertex)];
-    const double farthest = LargestUntanglingPart * longestAround(topology, vectors, vertex);
-    vectors[at(vertex)] += way.norm() > farthest ? Vec3(farthest / way.norm() * way) : way;
-  }
-}
-
-/// Multiplies the fractions of the faces' vertices by a factor, once.
-void shorten(const SurfaceMesh& mesh, const std::vector<Index>& faces, double factor,
-  std::vector<double>& fraction)
-{
-  for (const Index vertex : verticesOf(mesh, faces))
-  {
-    fraction[at(vertex)] *= factor;
   }
 }
 
