@@ -155,7 +155,8 @@ public:
 
   ///@{
   /**
-   * Sweeps of FAST_SWEEPING. The default is 8, the range 1 to 64.
+   * Sweeps of FAST_SWEEPING. The default is 8, the range 1 to 64. Fewer than 4 do not reach every
+   * sample; the others hold a value far above any distance.
    */
   vtkSetClampMacro(NumberOfSweeps, int, 1, 64);
   vtkGetMacro(NumberOfSweeps, int);

@@ -22,9 +22,9 @@
  * the last one always. An update without a time gives the last step, the result. The flow is
  * solved once, whatever the order in which times are asked for. Point arrays: SignedDistance,
  * DistanceGradient (with a field), Normals, MeanCurvature, CoVolume, NormalVelocity,
- * TangentialVelocity, RedistributionPotential. Field data: Iteration, Time, Area, Volume,
- * MeanDistance, MaxDistance, MinAngle; and Stopped, the step after which the flow could not go on,
- * where that happened.
+ * TangentialVelocity, RedistributionPotential; at the boundary MeanCurvature contains the pull
+ * along the surface. Field data: Iteration, Time, Area, Volume, MeanDistance, MaxDistance, MinAngle;
+ * and Stopped, the step after which the flow could not go on, where that happened.
  *
  * No step turns an element over: where the flow would, at a neck that pinches off or at slivers,
  * vertices wait while the others go on. A step that would turn over more than a tenth of the
@@ -194,7 +194,8 @@ public:
   /**
    * What the image is: DISTANCE_FIELD (the default), or EDGE_DETECTOR: an intensity I whose edges
    * attract the surface by v_N = b e Laplace F - a (grad e . N) N, e = 1 / (1 + K |grad I|^2)
-   * (section 3.2).
+   * (section 3.2). Where the image is uniform only curvature moves the surface, inwards: start
+   * around the objects, not inside them.
    */
   vtkSetClampMacro(FieldMode, int, DISTANCE_FIELD, EDGE_DETECTOR);
   vtkGetMacro(FieldMode, int);
