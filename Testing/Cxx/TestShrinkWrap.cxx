@@ -65,7 +65,12 @@ void ExpectClosed(vtkPolyData* surface, int genus)
 TEST(ShrinkWrap, TheBunnyIsWrapped)
 {
   const auto bunny = Sample::Read("bunny.ply");
-  const auto output = Wrapped(bunny, [](vtkShrinkWrap* filter) { filter->SetNumberOfSteps(50); });
+  const auto output = Wrapped(bunny,
+    [](vtkShrinkWrap* filter)
+    {
+      filter->SetSampleDimensions(64, 64, 64);
+      filter->SetNumberOfSteps(50);
+    });
   ExpectClosed(output, 0);
   EXPECT_EQ(FieldValue(output, "SelfIntersections"), 0.0);
   EXPECT_GT(output->GetNumberOfPoints(), 500);
