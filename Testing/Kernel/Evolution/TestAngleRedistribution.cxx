@@ -4,6 +4,7 @@
 #include "Evolution/AngleRedistribution.h"
 
 #include "Evolution/EvolutionShapes.h"
+#include "Evolution/MeasuredSurface.h"
 #include "Mesh/MeshQuality.h"
 
 #include <gtest/gtest.h>
@@ -13,19 +14,10 @@ using namespace evolving;
 namespace
 {
 
-struct Surface
+struct Surface : MeasuredSurface
 {
-  SurfaceMesh mesh;
-  MeshTopology topology;
-  SurfaceGeometry geometry;
+  using MeasuredSurface::MeasuredSurface;
 
-  explicit Surface(const SurfaceMesh& surface)
-    : mesh(surface)
-    , topology(mesh)
-    , geometry(topology)
-  {
-    this->geometry.update(this->mesh, Execution());
-  }
   std::vector<Vec3> velocity(const RedistributionOptions& options, double timeStep,
     const std::vector<double>& distance = {}, double scale = 1.0) const
   {

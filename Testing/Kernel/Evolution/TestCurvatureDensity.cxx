@@ -4,7 +4,7 @@
 #include "Evolution/CurvatureDensity.h"
 
 #include "Evolution/EvolutionShapes.h"
-#include "Evolution/SurfaceGeometry.h"
+#include "Evolution/MeasuredSurface.h"
 
 #include <gtest/gtest.h>
 
@@ -17,20 +17,7 @@ using namespace evolving;
 namespace
 {
 
-struct Surface
-{
-  SurfaceMesh mesh;
-  MeshTopology topology;
-  SurfaceGeometry geometry;
-
-  explicit Surface(const SurfaceMesh& surface)
-    : mesh(surface)
-    , topology(mesh)
-    , geometry(topology)
-  {
-    this->geometry.update(this->mesh, Execution());
-  }
-};
+using Surface = MeasuredSurface;
 
 } // namespace
 

@@ -6,6 +6,7 @@
 #include "Evolution/CurvatureDensity.h"
 #include "Evolution/EvolutionShapes.h"
 #include "Evolution/EvolutionStep.h"
+#include "Evolution/MeasuredSurface.h"
 #include "Evolution/RoundShapes.h"
 
 #include <gtest/gtest.h>
@@ -18,20 +19,7 @@ using namespace evolving;
 namespace
 {
 
-struct Surface
-{
-  SurfaceMesh mesh;
-  MeshTopology topology;
-  SurfaceGeometry geometry;
-
-  explicit Surface(const SurfaceMesh& surface)
-    : mesh(surface)
-    , topology(mesh)
-    , geometry(topology)
-  {
-    this->geometry.update(this->mesh, Execution());
-  }
-};
+using Surface = MeasuredSurface;
 
 /// Mean curvature flow with v_T times `sign`; the root mean square drift of relative areas.
 double driftOfRelativeAreas(double sign)
