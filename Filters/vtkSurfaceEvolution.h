@@ -23,12 +23,13 @@
  * solved once, whatever the order in which times are asked for. Point arrays: SignedDistance,
  * DistanceGradient (with a field), Normals, MeanCurvature, CoVolume, NormalVelocity,
  * TangentialVelocity, RedistributionPotential; at the boundary MeanCurvature contains the pull
- * along the surface. Field data: Iteration, Time, Area, Volume, MeanDistance, MaxDistance, MinAngle;
- * and Stopped, the step after which the flow could not go on, where that happened.
+ * along the surface. Field data: Iteration, Time, Area, Volume, MeanDistance, MaxDistance,
+ * MinAngle; and Stopped, the step after which the flow could not go on, where that happened.
  *
  * No step turns an element over: where the flow would, at a neck that pinches off or at slivers,
- * vertices wait while the others go on. A step that would turn over more than a tenth of the
- * elements is tried again in parts, and ends the run when that does not help. A component that has
+ * points also move along the surface, go with those around them, or wait. A step that would turn
+ * over more than a fifth of the elements is tried again in parts, and ends the run when that does
+ * not help. A component that has
  * shrunk to a point stays there.
  *
  * Output 1 is a vtkTable `History` with one row for every computed step.
@@ -241,8 +242,8 @@ public:
 
   ///@{
   /**
-   * What the angle-based redistribution does: WEIGHTED_EDGES (the default), the velocity (3.24) of the
-   * thesis, taken at once up to a product of 0.3 of rate and time step; or SHAPE: each point
+   * What the angle-based redistribution does: WEIGHTED_EDGES (the default), the velocity (3.24) of
+   * the thesis, taken at once up to a product of 0.3 of rate and time step; or SHAPE: each point
    * goes at the given rate to the place between its neighbours where the elements around it have
    * the best shapes (the sum of their squared inverse mean ratios is least), at once up to 0.8.
    * SHAPE improves the worst elements most and keeps differences in size; it does so best at 0.8

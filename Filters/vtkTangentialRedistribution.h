@@ -92,8 +92,8 @@ public:
 
   ///@{
   /**
-   * omega of the volume-based redistribution (3.19), per time; 0, the default, switches it off. Equal
-   * areas cost angles where points have more or fewer neighbours than six.
+   * omega of the volume-based redistribution (3.19), per time; 0, the default, switches it off.
+   * Equal areas cost angles where points have more or fewer neighbours than six.
    */
   vtkSetClampMacro(VolumeRedistribution, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VolumeRedistribution, double);
@@ -119,10 +119,10 @@ public:
   ///@{
   /**
    * What the angle-based redistribution does: WEIGHTED_EDGES, the velocity (3.24) of the
-   * thesis, taken at once up to a product of 0.3 of rate and time step; or SHAPE (the default): each point
-   * goes at the given rate to the place between its neighbours where the elements around it have
-   * the best shapes (the sum of their squared inverse mean ratios is least), at once up to 0.8.
-   * SHAPE improves the worst elements most and keeps differences in size.
+   * thesis, taken at once up to a product of 0.3 of rate and time step; or SHAPE (the default):
+   * each point goes at the given rate to the place between its neighbours where the elements around
+   * it have the best shapes (the sum of their squared inverse mean ratios is least), at once up to
+   * 0.8. SHAPE improves the worst elements most and keeps differences in size.
    */
   vtkSetClampMacro(AngleMethod, int, WEIGHTED_EDGES, SHAPE);
   vtkGetMacro(AngleMethod, int);
@@ -188,8 +188,8 @@ public:
   /**
    * Edges whose faces' normals differ by more than this angle, in degrees, are sharp: points on
    * them stay on them, points where they end or meet stay. Fewer than twelve connected ones in a
-   * fine mesh do not count: those are the rough places of a scan. The default is 45, the range 0 to 180
-   * (180: nothing is sharp).
+   * fine mesh do not count: those are the rough places of a scan. The default is 45, the range 0 to
+   * 180 (180: nothing is sharp).
    */
   vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);

@@ -7,7 +7,7 @@ A source is an algorithm or a data set.
 
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
-from vtkmodules.vtkFiltersCore import vtkGlyph3D
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkGlyph3D
 from vtkmodules.vtkFiltersGeometry import vtkImageDataGeometryFilter
 from vtkmodules.vtkFiltersSources import vtkArrowSource, vtkSphereSource
 from vtkmodules.vtkImagingCore import vtkExtractVOI
@@ -104,6 +104,15 @@ def lines(source, color=SLATE, width=3.0):
     look.LightingOff()
     look.SetLineWidth(width)
     return actor
+
+
+def boundary(source, color=RED, width=5.0):
+    """Where a surface ends, as lines."""
+    edges = vtkFeatureEdges()
+    connect(edges, source)
+    edges.FeatureEdgesOff()
+    edges.ColoringOff()
+    return lines(edges, color, width)
 
 
 def glyphs(source, shape, size, color):

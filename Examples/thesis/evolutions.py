@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the figures of chapter 6 have in common: evolutions as the author set them up, and measures.
+"""Evolutions as the figures need them: as the author set them up, minimal surfaces; and measures.
 
 Settings are properties by their names: evolution(start, TimeStep=0.03) calls SetTimeStep(0.03).
 """
@@ -45,6 +45,12 @@ def evolution(start, field=None, **settings):
     for name, value in settings.items():
         getattr(flow, "Set" + name)(value)
     return flow
+
+
+def relaxation(surface, step, steps):
+    """Mean curvature flow with a fixed boundary, towards the minimal surface in it."""
+    return evolution(surface, RelativeUnits=False, CurvatureSpeed=1.0, TimeStep=step,
+                     NumberOfSteps=steps, BoundaryMode=es.vtkSurfaceEvolution.FIXED)
 
 
 def sides(mesh):

@@ -8,13 +8,12 @@ boundary takes it to the minimal surface through the same curve.
 
     figure_3_3_minimal_surfaces.py [PICTURE.png]
 """
-import evolvingsurfaces as es
 import numpy
-from drawing import RED, colored, diverging, lines, scalar_bar
+from drawing import boundary, colored, diverging, scalar_bar
+from evolutions import relaxation
 from figures import add_array, array, at_time, check, column, model, points
 from pictures import Panel, save
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 from vtkmodules.util.numpy_support import numpy_to_vtk
 
 HEIGHT, TIME_STEP, STEPS = 0.5, 0.01, 100
@@ -32,25 +31,6 @@ def harmonic_graph(curve):
     lifted.SetData(numpy_to_vtk(xyz, deep=True))
     disc.SetPoints(lifted)
     return disc
-
-
-def relaxation(curve):
-    flow = es.vtkSurfaceEvolution()
-    flow.SetInputData(harmonic_graph(curve))
-    flow.SetRelativeUnits(False)
-    flow.SetCurvatureSpeed(1.0)
-    flow.SetTimeStep(TIME_STEP)
-    flow.SetNumberOfSteps(STEPS)
-    flow.SetBoundaryModeToFixed()
-    return flow
-
-
-def rim_line(surface):
-    edges = vtkFeatureEdges()
-    edges.SetInputData(surface)
-    edges.FeatureEdgesOff()
-    edges.ColoringOff()
-    return lines(edges, RED, 5.0)
 
 
 def is_rim(surface):
@@ -72,12 +52,12 @@ def formula(curve):
 
 
 colors = diverging(1.0)
-flows = [relaxation(curve) for curve in CURVES]
+flows = [relaxation(harmonic_graph(curve), TIME_STEP, STEPS) for curve in CURVES]
 starts = [at_time(flow, 0.0) for flow in flows]
 ends = [at_time(flow, TIME_STEP * STEPS) for flow in flows]
 for data in starts + ends:
     extend_curvature(data)
-save([Panel([colored(data, "Curvature", colors, edges=True), rim_line(data)], caption,
+save([Panel([colored(data, "Curvature", colors, edges=True), boundary(data)], caption,
             direction=(0.2, -1.0, 0.75), up=(0.0, 0.0, 1.0))
      for surfaces, name in ((starts, "harmonic"), (ends, "minimal"))
      for data, caption in zip(surfaces, [f"{name}\n{formula(curve)}" for curve in CURVES])],

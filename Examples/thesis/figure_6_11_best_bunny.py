@@ -3,8 +3,9 @@
 """Figure 6.11: the best attempt at the bunny by fixed connectivity, beside vtkShrinkWrap's result.
 
 Volume-based redistribution keeps co-volumes even, the shapes of elements (AngleMethod) keep angles
-off zero; but a sphere's triangles still stretch in concavities, and do not get to their ground. vtkShrinkWrap starts
-from an iso-surface of the distance, as the thesis's last paragraph suggests, and has no such limit.
+off zero; but a sphere's triangles still stretch in concavities and do not reach their ground.
+vtkShrinkWrap starts from an iso-surface of the distance, as the thesis's last paragraph suggests,
+and has no such limit.
 """
 
 import evolvingsurfaces as es

@@ -8,14 +8,13 @@ The exact one is r = c cosh(z / c); the rings of radius 1 are at z = -H and H.
 """
 from math import cosh, log2, pi
 
-import evolvingsurfaces as es
 import numpy
-from drawing import IVORY, RED, colored, lines, scalar_bar, sequential, surface
+from drawing import IVORY, boundary, colored, scalar_bar, sequential, surface
+from evolutions import relaxation
 from figures import add_array, at_time, check, column, points
 from pictures import Panel, save
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 
 H, TIME_STEP, STEPS = 0.5, 0.05, 120             # the rings are one radius apart
 
@@ -48,17 +47,6 @@ def cylinder(around, along):
     return data
 
 
-def relaxation(around, along):
-    flow = es.vtkSurfaceEvolution()
-    flow.SetInputData(cylinder(around, along))
-    flow.SetRelativeUnits(False)
-    flow.SetCurvatureSpeed(1.0)
-    flow.SetTimeStep(TIME_STEP)
-    flow.SetNumberOfSteps(STEPS)
-    flow.SetBoundaryModeToFixed()
-    return flow
-
-
 def mark_error(surface, c):
     """Adds the distance from the exact catenoid, to first order, and gives the largest."""
     xyz = points(surface)
@@ -68,25 +56,17 @@ def mark_error(surface, c):
     return error.max()
 
 
-def rings(surface):
-    edges = vtkFeatureEdges()
-    edges.SetInputData(surface)
-    edges.FeatureEdgesOff()
-    edges.ColoringOff()
-    return lines(edges, RED, 6.0)
-
-
 c = waist()
-flows = [relaxation(36, 12), relaxation(72, 24)]
+flows = [relaxation(cylinder(*grid), TIME_STEP, STEPS) for grid in ((36, 12), (72, 24))]
 coarse, fine = (at_time(flow, TIME_STEP * STEPS) for flow in flows)
 errors = [mark_error(surface, c) for surface in (coarse, fine)]
 start, soon = (at_time(flows[0], time) for time in (0.0, TIME_STEP))
 colors = sequential(0.0, 0.0014)
 save([Panel(props, caption, direction=(0.3, -1.0, 0.5), up=(0.0, 0.0, 1.0)) for props, caption in (
-     ([surface(start, IVORY), rings(start)], "start: a cylinder"),
-     ([surface(soon, IVORY), rings(soon)], f"t = {TIME_STEP}"),
-     ([colored(coarse, "Error", colors, edges=True), rings(coarse)], "relaxed, 36 x 12"),
-     ([colored(fine, "Error", colors, edges=True), rings(fine)], "relaxed, 72 x 24"))],
+     ([surface(start, IVORY), boundary(start)], "start: a cylinder"),
+     ([surface(soon, IVORY), boundary(soon)], f"t = {TIME_STEP}"),
+     ([colored(coarse, "Error", colors, edges=True), boundary(coarse)], "relaxed, 36 x 12"),
+     ([colored(fine, "Error", colors, edges=True), boundary(fine)], "relaxed, 72 x 24"))],
      width=900, height=200, same_scale=True,
      bar=scalar_bar(colors, "distance from the exact catenoid", 3))
 

@@ -12,8 +12,8 @@ moves all surfaces at once, from spheres around centres known to a voxel. Length
 - At an edge a |grad e|, a = 4, is far above 2 b e / r and holds it. A start sphere must not reach a
   neighbour's edge, which would hold it as well.
 
-K = 100, a = 2 or steps of 1 change the volumes by 2 % at most. They come out 8 % too small, a quarter
-of a voxel: blur draws the largest slope of a ball of radius r inwards by sigma^2 / r.
+K = 100, a = 2 or steps of 1 change the volumes by 2 % at most. They come out 8 % too small, a
+quarter of a voxel: blur draws the largest slope of a ball of radius r inwards by sigma^2 / r.
 """
 
 import evolvingsurfaces as es

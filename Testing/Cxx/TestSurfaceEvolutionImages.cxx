@@ -120,6 +120,19 @@ INSTANTIATE_TEST_SUITE_P(All, FieldImages,
   [](const testing::TestParamInfo<ImageCase>& info) { return info.param.Name; });
 
 //------------------------------------------------------------------------------
+/// An evolution along this image ends with one sentence that has these words.
+void ExpectSentence(vtkSurfaceEvolution* filter, vtkImageData* image, const char* words)
+{
+  EventLog log(filter);
+  SetUpAttraction(filter, Sample::Icosphere(2, 1.5));
+  filter->SetInputData(1, image);
+  filter->Update();
+  ASSERT_EQ(log.Errors.size(), 1u);
+  EXPECT_TRUE(IsOneSentence(log.Errors.front()));
+  EXPECT_NE(log.Errors.front().find(words), std::string::npos);
+}
+
+//------------------------------------------------------------------------------
 TEST(FieldImage, CellDataIsRefusedWithTheWayOut)
 {
   const Image image = Sample::SphereImage(9, 2.0, 1.0);
@@ -129,13 +142,7 @@ TEST(FieldImage, CellDataIsRefusedWithTheWayOut)
   image->GetPointData()->Initialize();
   image->GetCellData()->SetScalars(cells);
   vtkNew<vtkSurfaceEvolution> filter;
-  EventLog log(filter);
-  SetUpAttraction(filter, Sample::Icosphere(2, 1.5));
-  filter->SetInputData(1, image);
-  filter->Update();
-  ASSERT_EQ(log.Errors.size(), 1u);
-  EXPECT_TRUE(IsOneSentence(log.Errors.front()));
-  EXPECT_NE(log.Errors.front().find("Cell Data to Point Data"), std::string::npos);
+  ExpectSentence(filter, image, "Cell Data to Point Data");
   EXPECT_TRUE(IsInitialized(filter->GetOutput()));
 }
 
@@ -149,13 +156,7 @@ TEST(FieldImage, ValuesThatAreNoDistancesStopTheRun)
     values->SetTuple1(i, 1e20 * values->GetTuple1(i));
   }
   vtkNew<vtkSurfaceEvolution> filter;
-  EventLog log(filter);
-  SetUpAttraction(filter, Sample::Icosphere(2, 1.5));
-  filter->SetInputData(1, image);
-  filter->Update();
-  ASSERT_EQ(log.Errors.size(), 1u);
-  EXPECT_TRUE(IsOneSentence(log.Errors.front()));
-  EXPECT_NE(log.Errors.front().find("left the bounding box"), std::string::npos);
+  ExpectSentence(filter, image, "left the bounding box");
   EXPECT_EQ(FieldValue(filter->GetOutput(), "Stopped"), 0.0);
   EXPECT_NEAR(DistanceFromOrigin(filter->GetOutput()).Largest, 1.5, 1e-12);
   EXPECT_EQ(FieldValue(filter->GetOutput(), "Iteration"), 0.0);

@@ -4,10 +4,10 @@
 #include "Evolution/CurveEdges.h"
 
 #include "Evolution/ParallelLoops.h"
+#include "Mesh/Angles.h"
 #include "Mesh/DisjointSets.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 namespace evolving
@@ -16,15 +16,15 @@ namespace evolving
 namespace
 {
 
-constexpr double RadiansPerDegree = 0.017453292519943295;
 constexpr Index EdgesOfACurve = 12;
+constexpr Index PartOfCoarseMesh = 4; ///< a quarter of its edges
 
 bool isSharp(
   const SurfaceMesh& mesh, const MeshTopology& topology, Index corner, double creaseAngle)
 {
   const Vec3 here = faceVectorArea(mesh, topology.faceOf(corner));
   const Vec3 there = faceVectorArea(mesh, topology.faceOf(topology.opposite(corner)));
-  return std::atan2(here.cross(there).norm(), here.dot(there)) > creaseAngle * RadiansPerDegree;
+  return angleBetween(here, there) > creaseAngle * RadiansPerDegree;
 }
 
 /// One corner for each edge of the boundary and each sharp one.
@@ -50,7 +50,7 @@ public:
   ConnectedEdges(const MeshTopology& topology, const std::vector<Index>& corners)
     : Sets(at(topology.vertexCount()))
     , Edges(at(topology.vertexCount()), 0)
-    , Enough(std::min(EdgesOfACurve, topology.cornerCount() / 2 / 4))
+    , Enough(std::min(EdgesOfACurve, topology.cornerCount() / 2 / PartOfCoarseMesh))
   {
     for (const Index corner : corners)
     {

@@ -4,6 +4,7 @@
 #include "Evolution/ElementGuard.h"
 
 #include "Evolution/ParallelLoops.h"
+#include "Mesh/Angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,6 @@ namespace evolving
 
 namespace
 {
-
-constexpr double RadiansPerDegree = 0.017453292519943295;
 
 /// The corner of a face and its two neighbours at given points.
 struct Corner

@@ -25,7 +25,7 @@ namespace evolving
  * @param mesh at the points after the move
  * @param before the points before it
  * @param normals of the vertices before it
- * @param smallestAngle in degrees, above 0
+ * @param smallestAngle in degrees; 0: any will do
  * @return one flag per face
  */
 std::vector<char> spoiledElements(const SurfaceMesh& mesh, const std::vector<Vec3>& before,

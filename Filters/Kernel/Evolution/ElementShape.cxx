@@ -94,8 +94,10 @@ public:
   /**
    * Adds a corner.
    * @param d1 d2 by how much of the vertex's move the edges e1 and e2 change: -1, 0 or 1
+   * @param count how many corners like it
    */
-  void add(const RegularCorner& regular, const Vec3& e1, double d1, const Vec3& e2, double d2)
+  void add(const RegularCorner& regular, const Vec3& e1, double d1, const Vec3& e2, double d2,
+    double count = 1.0)
   {
     const Vec3 cross = e1.cross(e2);
     const double area = cross.norm();
@@ -113,7 +115,7 @@ public:
     const Vec2 n = this->Basis.coordinates(2.0 * d1 * (e1 - c * e2) + 2.0 * d2 * (e2 - c * e1));
     const Vec2 a = this->Basis.coordinates(2.0 * regular.sine * growth);
     const double A = 2.0 * regular.sine * std::max(side * area, smallest);
-    this->addQuotient({ lengths, n, 2.0 * (d1 * d1 + d2 * d2 - 2.0 * c * d1 * d2) }, A, a);
+    this->addQuotient({ lengths, n, 2.0 * (d1 * d1 + d2 * d2 - 2.0 * c * d1 * d2) }, A, a, count);
   }
 
   /// Where the energy's second-order model is least.
@@ -137,8 +139,8 @@ private:
     double second;
   };
 
-  /// q = lengths / A with the gradient a of A: adds q^2 / 2.
-  void addQuotient(const Lengths& n, double A, const Vec2& a)
+  /// q = lengths / A with the gradient a of A: adds q^2 / 2, `count` times.
+  void addQuotient(const Lengths& n, double A, const Vec2& a, double count)
   {
     const double q = n.value / A;
     const Vec2 gradient = (n.gradient - q * a) / A;
@@ -146,8 +148,8 @@ private:
     const Mat2 second = (n.second * Mat2::Identity() -
                           (mixed + mixed.transpose() - 2.0 * q * a * a.transpose()) / A) /
       A;
-    this->Gradient += q * gradient;
-    this->Second += gradient * gradient.transpose() + q * second;
+    this->Gradient += count * q * gradient;
+    this->Second += count * (gradient * gradient.transpose() + q * second);
   }
 
   Vec3 Upward;
@@ -198,7 +200,13 @@ Vec3 bestShapeMove(const SurfaceMesh& mesh, const MeshTopology& topology, Index 
   {
     const Index next = topology.next(own);
     const Index previous = topology.previous(own);
-    const RegularCorner regular(mesh.faceSize(topology.faceOf(own)));
+    const Index faceSize = mesh.faceSize(topology.faceOf(own));
+    const RegularCorner regular(faceSize);
+    if (faceSize == 3) // its corners have one shape, see cornerShape()
+    {
+      energy.add(regular, edge(own, next), -1.0, edge(own, previous), -1.0, 3.0);
+      continue;
+    }
     energy.add(regular, edge(own, next), -1.0, edge(own, previous), -1.0);
     energy.add(regular, edge(next, topology.next(next)), 0.0, edge(next, own), 1.0);
     energy.add(regular, edge(previous, own), 1.0, edge(previous, topology.previous(previous)), 0.0);

@@ -27,7 +27,7 @@ FlowRun::FlowRun(SurfaceMesh start, std::shared_ptr<const ScalarImage> field,
   const FlowSetup& setup, const Execution& execution)
   : Setup(setup)
   , Run(execution)
-  , Center(boundingBox(start).isEmpty() ? Vec3(Vec3::Zero()) : Vec3(boundingBox(start).center()))
+  , Center(boundingBox(start).center())
   , Check(start, field ? field->box() : Box(), setup.options.surfaceGuard)
   , Stepper(std::move(start), std::move(field), setup.options, setup.size, setup.parts.timeStep,
       execution.phase(0.0, 0.0))

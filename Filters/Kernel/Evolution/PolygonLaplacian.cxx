@@ -141,6 +141,16 @@ void computePolygonStencil(const std::vector<Vec3>& corners, FaceStencil& stenci
   }
 }
 
+/// Area times gradient of the linear function with the values f at a triangle's corners.
+Vec3 areaTimesGradient(const Vec3& a, const Vec3& b, const Vec3& c, const std::array<double, 3>& f)
+{
+  const Vec3 normal = (b - a).cross(c - a);
+  const double doubleArea = normal.norm();
+  // Differences only: a constant function has an exactly vanishing gradient.
+  const Vec3 rotated = (f[1] - f[0]) * (a - c) + (f[2] - f[0]) * (b - a);
+  return (doubleArea > 0.0 ? 0.5 / doubleArea : 0.0) * normal.cross(rotated);
+}
+
 } // namespace
 
 std::array<double, 3> halfCotangents(const Vec3& a, const Vec3& b, const Vec3& c)
@@ -161,15 +171,6 @@ std::array<double, 3> halfCotangents(const Vec3& a, const Vec3& b, const Vec3& c
 double triangleArea(const Vec3& a, const Vec3& b, const Vec3& c)
 {
   return 0.5 * (b - a).cross(c - a).norm();
-}
-
-Vec3 areaTimesGradient(const Vec3& a, const Vec3& b, const Vec3& c, const std::array<double, 3>& f)
-{
-  const Vec3 normal = (b - a).cross(c - a);
-  const double doubleArea = normal.norm();
-  // Differences only: a constant function has an exactly vanishing gradient.
-  const Vec3 rotated = (f[1] - f[0]) * (a - c) + (f[2] - f[0]) * (b - a);
-  return (doubleArea > 0.0 ? 0.5 / doubleArea : 0.0) * normal.cross(rotated);
 }
 
 VirtualVertex virtualVertex(const std::vector<Vec3>& corners)
@@ -200,13 +201,6 @@ void computeFaceStencil(const std::vector<Vec3>& corners, FaceStencil& stencil)
 void computeFaceGradient(const std::vector<Vec3>& corners, const std::vector<double>& values,
   std::vector<Vec3>& cornerGradients)
 {
-  if (corners.size() == 3)
-  {
-    const Vec3 gradient =
-      areaTimesGradient(corners[0], corners[1], corners[2], { values[0], values[1], values[2] });
-    cornerGradients.assign(3, gradient / 3.0);
-    return;
-  }
   const std::size_t n = corners.size();
   const VirtualVertex apex = virtualVertex(corners);
   double apexValue = 0.0;

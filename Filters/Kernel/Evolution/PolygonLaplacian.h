@@ -58,9 +58,6 @@ std::array<double, 3> halfCotangents(const Vec3& a, const Vec3& b, const Vec3& c
 
 double triangleArea(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Area times gradient of the linear function with the values f at a triangle's corners.
-Vec3 areaTimesGradient(const Vec3& a, const Vec3& b, const Vec3& c, const std::array<double, 3>& f);
-
 /**
  * @param corners at least three points
  * @param[out] stencil its arrays are resized

@@ -5,6 +5,7 @@
 
 #include "Evolution/FiniteVolumes.h"
 #include "Evolution/ParallelLoops.h"
+#include "Mesh/Angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,6 @@ namespace evolving
 namespace
 {
 
-constexpr double DegreesPerRadian = 57.29577951308232;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// Its corners share their sine, twice the area. A triangle without area has an angle of 0.

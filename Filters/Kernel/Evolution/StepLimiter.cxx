@@ -28,20 +28,6 @@ constexpr int MostRounds = 100;
 /// In units of a face's longest edge squared: below, rounding decides where its normal points.
 constexpr double SmallestRelativeArea = 1e-10;
 
-/// Half the sum of the cross products around a face: its area times its normal.
-Vec3 vectorArea(const SurfaceMesh& faces, const std::vector<Vec3>& points, Index face)
-{
-  const Index* const corners = faces.cornerVertices.data() + faces.faceOffsets[at(face)];
-  const Vec3& origin = points[at(corners[0])];
-  Vec3 sum = (points[at(corners[1])] - origin).cross(points[at(corners[2])] - origin);
-  for (Index k = 3; k < faces.faceSize(face); ++k)
-  {
-    sum += (points[at(faces.faceVertex(face, k - 1))] - origin)
-             .cross(points[at(faces.faceVertex(face, k))] - origin);
-  }
-  return 0.5 * sum;
-}
-
 /// Does a face face outwards?
 bool facesOutwards(const SurfaceMesh& mesh, const std::vector<Vec3>& normals, Index face)
 {
@@ -54,18 +40,6 @@ bool facesOutwards(const SurfaceMesh& mesh, const std::vector<Vec3>& normals, In
     longest = std::max(longest, edge.squaredNorm());
   }
   return faceVectorArea(mesh, face).dot(normal) > SmallestRelativeArea * longest;
-}
-
-void flagVertices(
-  const SurfaceMesh& mesh, const std::vector<Index>& faces, std::vector<char>& flags)
-{
-  for (const Index face : faces)
-  {
-    for (Index k = 0; k < mesh.faceSize(face); ++k)
-    {
-      flags[at(mesh.faceVertex(face, k))] = 1;
-    }
-  }
 }
 
 [[noreturn]] void throwTurned(std::size_t turned, const SurfaceMesh& mesh)
@@ -94,7 +68,7 @@ StepLimiter::StepLimiter(const SurfaceMesh& start, const MeshTopology& topology,
 bool StepLimiter::isTurned(
   const SurfaceMesh& mesh, const std::vector<Vec3>& before, Index face) const
 {
-  return vectorArea(mesh, mesh.points, face).dot(vectorArea(mesh, before, face)) < 0.0 &&
+  return faceVectorArea(mesh, face).dot(faceVectorArea(mesh, before, face)) < 0.0 &&
     !this->MayTurn[at(face)] && !this->Vanished.contain(mesh.faceVertex(face, 0));
 }
 
@@ -115,7 +89,7 @@ std::vector<Index> StepLimiter::turnedFaces(
   return turned;
 }
 
-Index StepLimiter::limit(const SurfaceMesh& mesh, const std::vector<Vec3>& before,
+void StepLimiter::limit(const SurfaceMesh& mesh, const std::vector<Vec3>& before,
   const std::vector<Vec3>& normals, LimitedMove& move, const PlaceVertices& place,
   const Execution& execution) const
 {
@@ -124,7 +98,6 @@ Index StepLimiter::limit(const SurfaceMesh& mesh, const std::vector<Vec3>& befor
   {
     throwTurned(turned.size(), mesh);
   }
-  std::vector<char> changed(turned.empty() ? 0 : mesh.points.size(), 0);
   move.fraction.assign(mesh.points.size(), 1.0);
   for (int round = 0; !turned.empty(); ++round)
   {
@@ -132,7 +105,6 @@ Index StepLimiter::limit(const SurfaceMesh& mesh, const std::vector<Vec3>& befor
     {
       throwTurned(turned.size(), mesh);
     }
-    flagVertices(mesh, turned, changed);
     if (round < UntanglingRounds)
     {
       untangle(mesh, this->Topology, normals, turned, move.displacement);
@@ -149,7 +121,6 @@ Index StepLimiter::limit(const SurfaceMesh& mesh, const std::vector<Vec3>& befor
     place();
     turned = this->turnedFaces(mesh, before, execution);
   }
-  return static_cast<Index>(std::count(changed.begin(), changed.end(), 1));
 }
 
 } // namespace evolving

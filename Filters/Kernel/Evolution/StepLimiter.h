@@ -57,10 +57,9 @@ public:
    * @param normals of the vertices before the step
    * @param move displacement: of the step
    * @param place moves the mesh
-   * @return the number of vertices whose move was changed
    * @throws SolverError when more faces than LargestTurnedPart turn over
    */
-  Index limit(const SurfaceMesh& mesh, const std::vector<Vec3>& before,
+  void limit(const SurfaceMesh& mesh, const std::vector<Vec3>& before,
     const std::vector<Vec3>& normals, LimitedMove& move, const PlaceVertices& place,
     const Execution& execution) const;
 

@@ -5,6 +5,7 @@
 
 #include "Evolution/CurveEdges.h"
 #include "Evolution/ParallelLoops.h"
+#include "Mesh/Angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +16,8 @@ namespace evolving
 namespace
 {
 
-constexpr double RadiansPerDegree = 0.017453292519943295;
 /// Two neighbours that move towards each other by this part of their distance do not meet.
 constexpr double LargestPartOfGap = 0.4;
-
-double angleBetween(const Vec3& a, const Vec3& b)
-{
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 bool turnsAt(
   const SurfaceMesh& mesh, const std::vector<Index>& neighbours, Index vertex, double cornerAngle)

@@ -65,13 +65,9 @@ RedistributionOptions ratesOf(
 double guardedAngle(
   const SurfaceMesh& surface, const RedistributionOptions& rates, const Execution& execution)
 {
-  const double floor = rates.volume > 0.0 || rates.angle == 0.0 ? GoodAngle : 0.0;
-  if (rates.angle > 0.0)
-  {
-    const double smallest = smallestCornerAngle(surface, execution);
-    return std::max(floor, std::min(ExcellentAngle, smallest) * (1.0 - 1e-12)); // not by rounding
-  }
-  return floor;
+  const double floor = rates.angle > 0.0 && rates.volume == 0.0 ? 0.0 : GoodAngle;
+  const double smallest = rates.angle > 0.0 ? smallestCornerAngle(surface, execution) : 0.0;
+  return std::max(floor, std::min(ExcellentAngle, smallest) * (1.0 - 1e-12)); // not by rounding
 }
 
 /// A surface whose points move along it.

@@ -3,6 +3,7 @@
 
 #include "Mesh/MeshQuality.h"
 
+#include "Mesh/Angles.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,8 +14,6 @@ namespace evolving
 
 namespace
 {
-
-constexpr double DegreesPerRadian = 57.29577951308232;
 
 double cornerAngle(const SurfaceMesh& mesh, Index face, Index k)
 {

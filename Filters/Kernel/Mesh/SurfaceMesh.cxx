@@ -105,12 +105,18 @@ Box boundingBox(const SurfaceMesh& mesh)
 
 Vec3 faceVectorArea(const SurfaceMesh& mesh, Index face)
 {
+  return faceVectorArea(mesh, mesh.points, face);
+}
+
+Vec3 faceVectorArea(const SurfaceMesh& mesh, const std::vector<Vec3>& points, Index face)
+{
   // A fan about the first corner: exact for every planar polygon, convex or not.
-  const Vec3& base = mesh.facePoint(face, 0);
+  const Index* const corners = mesh.cornerVertices.data() + mesh.faceOffsets[at(face)];
+  const Vec3& base = points[at(corners[0])];
   Vec3 twice = Vec3::Zero();
   for (Index k = 1; k + 1 < mesh.faceSize(face); ++k)
   {
-    twice += (mesh.facePoint(face, k) - base).cross(mesh.facePoint(face, k + 1) - base);
+    twice += (points[at(corners[k])] - base).cross(points[at(corners[k + 1])] - base);
   }
   return 0.5 * twice;
 }

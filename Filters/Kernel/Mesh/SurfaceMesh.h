@@ -61,6 +61,8 @@ Box boundingBox(const SurfaceMesh& mesh);
 
 /// The vector area of a face: its unit normal times its area (exact for planar polygons).
 Vec3 faceVectorArea(const SurfaceMesh& mesh, Index face);
+/// With the mesh's points elsewhere.
+Vec3 faceVectorArea(const SurfaceMesh& mesh, const std::vector<Vec3>& points, Index face);
 
 /// The sum of the lengths of the faces' vector areas.
 double surfaceArea(const SurfaceMesh& mesh);

@@ -3,6 +3,7 @@
 
 #include "StartSurface/QuadSplitting.h"
 
+#include "Mesh/Angles.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,11 +16,6 @@ namespace
 
 /// Angles and folds in radians that differ by less are equal.
 constexpr double AngleTolerance = 1e-6;
-
-double angleBetween(const Vec3& a, const Vec3& b)
-{
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 double smallestTriangleAngle(const Vec3& a, const Vec3& b, const Vec3& c)
 {

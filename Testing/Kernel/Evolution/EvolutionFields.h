@@ -11,6 +11,7 @@
 
 #include "Distance/DistanceGrid.h"
 #include "Evolution/ScalarImage.h"
+#include "SampledOnGrid.h"
 
 #include <functional>
 #include <memory>
@@ -29,29 +30,10 @@ inline DistanceGrid cubicGrid(int n, double half, const Vec3& centre = Vec3::Zer
   return grid;
 }
 
-inline std::vector<float> sampleOn(
-  const DistanceGrid& grid, const std::function<double(const Vec3&)>& function)
-{
-  std::vector<float> values;
-  const Extent& e = grid.extent;
-  for (int k = e[4]; k <= e[5]; ++k)
-  {
-    for (int j = e[2]; j <= e[3]; ++j)
-    {
-      for (int i = e[0]; i <= e[1]; ++i)
-      {
-        const Vec3 point = grid.origin + Vec3(i, j, k).cwiseProduct(grid.spacing);
-        values.push_back(static_cast<float>(function(point)));
-      }
-    }
-  }
-  return values;
-}
-
 inline std::shared_ptr<const ScalarImage> image(
   const DistanceGrid& grid, const std::function<double(const Vec3&)>& function)
 {
-  return std::make_shared<const ScalarImage>(grid, sampleOn(grid, function));
+  return std::make_shared<const ScalarImage>(grid, sampled(grid, function));
 }
 
 /// The signed distance from a sphere about the origin.

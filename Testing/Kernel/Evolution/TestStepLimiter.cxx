@@ -30,7 +30,7 @@ public:
   {
   }
 
-  /// Moves from `before` by displacements; returns the number of vertices that moved less.
+  /// Moves from `before` by displacements; returns the number of vertices that end elsewhere.
   Index move(const std::vector<Vec3>& before, const std::vector<Vec3>& displacement)
   {
     this->Mesh = this->Start;
@@ -44,7 +44,14 @@ public:
     };
     place();
     this->Vanished.update(this->Mesh);
-    return this->Limiter.limit(this->Mesh, before, this->Normals, move, place, Execution());
+    const std::vector<Vec3> wanted = this->Mesh.points;
+    this->Limiter.limit(this->Mesh, before, this->Normals, move, place, Execution());
+    Index changed = 0;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+    {
+      changed += this->Mesh.points[i] != wanted[i];
+    }
+    return changed;
   }
 
   SurfaceMesh Start;

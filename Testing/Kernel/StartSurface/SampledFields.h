@@ -10,6 +10,7 @@
 #define EVOLVING_TESTING_SAMPLED_FIELDS_H
 
 #include "Distance/DistanceGrid.h"
+#include "SampledOnGrid.h"
 
 #include <cmath>
 #include <random>
@@ -30,24 +31,7 @@ inline DistanceGrid unitGrid(int n)
   return grid;
 }
 
-template <typename Function>
-std::vector<float> sampled(const DistanceGrid& grid, const Function& function)
-{
-  std::vector<float> values;
-  const Extent& e = grid.extent;
-  for (int k = e[4]; k <= e[5]; ++k)
-  {
-    for (int j = e[2]; j <= e[3]; ++j)
-    {
-      for (int i = e[0]; i <= e[1]; ++i)
-      {
-        const Vec3 point = grid.origin + Vec3(i, j, k).cwiseProduct(grid.spacing);
-        values.push_back(static_cast<float>(function(point)));
-      }
-    }
-  }
-  return values;
-}
+using evolving::sampled;
 
 /// Independent values, evenly distributed in [0, 1).
 inline std::vector<float> noise(const DistanceGrid& grid, unsigned seed)
