@@ -36,6 +36,7 @@
 #include <vector>
 
 class vtkAlgorithm;
+class vtkCellArray;
 class vtkDataArray;
 class vtkDataObject;
 class vtkDataSet;
@@ -122,6 +123,9 @@ evolving::ScalarImage ReadImage(vtkImageData* image);
 
 /// A polydata of the mesh's points (as `pointType`, VTK_FLOAT or VTK_DOUBLE) and polygons.
 vtkSmartPointer<vtkPolyData> WritePolyData(const evolving::SurfaceMesh& mesh, int pointType);
+
+/// The mesh's polygons alone.
+vtkSmartPointer<vtkCellArray> WritePolygons(const evolving::SurfaceMesh& mesh);
 
 /// The points alone, for a polydata that shares its polygons with others.
 void WritePoints(const std::vector<evolving::Vec3>& points, int pointType, vtkPolyData* output);

@@ -95,7 +95,14 @@ vtkSmartPointer<vtkPolyData> WritePolyData(const evolving::SurfaceMesh& mesh, in
 {
   const auto output = vtkSmartPointer<vtkPolyData>::New();
   WritePoints(mesh.points, pointType, output);
-  vtkNew<vtkCellArray> polygons;
+  output->SetPolys(WritePolygons(mesh));
+  return output;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkCellArray> WritePolygons(const evolving::SurfaceMesh& mesh)
+{
+  const auto polygons = vtkSmartPointer<vtkCellArray>::New();
   polygons->AllocateEstimate(mesh.faceCount(), 3);
   std::vector<vtkIdType> ids;
   for (evolving::Index face = 0; face < mesh.faceCount(); ++face)
@@ -107,8 +114,7 @@ vtkSmartPointer<vtkPolyData> WritePolyData(const evolving::SurfaceMesh& mesh, in
     }
     polygons->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
   }
-  output->SetPolys(polygons);
-  return output;
+  return polygons;
 }
 
 //------------------------------------------------------------------------------

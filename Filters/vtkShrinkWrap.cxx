@@ -221,10 +221,10 @@ void vtkShrinkWrap::Solve(vtkPolyData* input, const evolving::Execution& executi
   const auto start = std::make_shared<const evolving::SurfaceMesh>(std::move(problem.start));
   const auto makeFlow = [start, field = problem.field, flow = problem.flow](
                           const evolving::Execution& host)
-  { return evolving::SurfaceFlow(*start, field, flow, host); };
+  { return evolving::SurfaceFlow(start, field, nullptr, flow, host); };
   const auto published = evolving::publishedIterations(this->NumberOfSteps, 0, 1);
-  auto series = std::make_unique<EvolutionSeries>(*start, KernelBridge::PointType(input), true,
-    makeFlow, published, SeriesBytes, execution.phase(0.3, 0.9));
+  auto series = std::make_unique<EvolutionSeries>(KernelBridge::PointType(input), true, makeFlow,
+    published, SeriesBytes, execution.phase(0.3, 0.9));
   this->Solved->Report = evolving::examine(series->Mesh(published.size() - 1, execution), target,
     this->OffsetDistance, execution.phase(0.9, 1.0));
   this->Solved->EdgeLength = problem.edgeLength;

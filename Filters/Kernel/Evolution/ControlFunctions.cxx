@@ -134,6 +134,12 @@ ControlValues ControlField::evaluateSmoothing(
   return values;
 }
 
+std::vector<double> ControlField::valuesAt(
+  const std::vector<Vec3>& points, const Execution& execution) const
+{
+  return this->sampleField(points, execution).value;
+}
+
 void ControlField::limitAdvection(double timeStep, ControlValues& values) const
 {
   if (this->Field && this->Options.fieldMode == FieldMode::EdgeDetector)
