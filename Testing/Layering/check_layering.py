@@ -26,8 +26,9 @@ KERNEL_ARROWS = {
     "Mesh": set(),
     "Distance": {"Mesh"},
     "StartSurface": {"Mesh", "Distance"},
-    "Evolution": {"Mesh", "Distance"},
-    "ShrinkWrap": {"Mesh", "Distance", "StartSurface", "Evolution"},
+    "Remeshing": {"Mesh", "Distance"},
+    "Evolution": {"Mesh", "Distance", "Remeshing"},
+    "ShrinkWrap": {"Mesh", "Distance", "StartSurface", "Remeshing", "Evolution"},
 }
 
 

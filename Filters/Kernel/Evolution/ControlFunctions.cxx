@@ -4,7 +4,7 @@
 #include "Evolution/ControlFunctions.h"
 
 #include "Evolution/EdgeDetector.h"
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 
 #include <algorithm>
 #include <cmath>

@@ -82,7 +82,7 @@ void EvolvingSurface::move(int iteration, int parts, const Execution& execution)
   }
 }
 
-void EvolvingSurface::remesh(const Execution& execution)
+void EvolvingSurface::remesh(bool isLast, const Execution& execution)
 {
   if (!this->NewElements)
   {
@@ -90,7 +90,7 @@ void EvolvingSurface::remesh(const Execution& execution)
   }
   const std::vector<double> distance = this->Field.valuesAt(this->mesh().points, execution);
   std::optional<SurfaceMesh> remeshed =
-    this->NewElements->remesh(this->mesh(), distance, execution);
+    this->NewElements->remesh({ this->mesh(), this->Origin->points, distance, isLast }, execution);
   if (!remeshed)
   {
     return;

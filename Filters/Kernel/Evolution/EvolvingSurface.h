@@ -60,10 +60,11 @@ public:
   void move(int iteration, int parts, const Execution& execution);
   /**
    * Asks the remesher, if there is one, for new elements.
+   * @param isLast the flow ends here
    * @throws SolverError when they make no surface that can be evolved
    * @throws Cancelled
    */
-  void remesh(const Execution& execution);
+  void remesh(bool isLast, const Execution& execution);
 
   /// Since the last reset.
   int solverIterations() const { return this->SolverIterations; }

@@ -108,6 +108,24 @@ void FlowRun::stepOrStop()
   std::ostringstream message;
   message << "The evolution ended before step " << this->Record.iteration + 1 << ": " << failure;
   this->StopReason = message.str();
+  this->tidyLastState();
+}
+
+/// The state before the step that failed is the last one; it stays as it is when that fails, too.
+void FlowRun::tidyLastState()
+{
+  const SurfacePlace place = this->Surface.place();
+  const FlowRecord record = this->Record;
+  try
+  {
+    this->Surface.remesh(true, this->stepExecution());
+    this->evaluate(this->stepExecution());
+  }
+  catch (const SolverError&)
+  {
+    this->Surface.setPlace(place, Execution());
+    this->Record = record;
+  }
 }
 
 /// Returns why the step failed, and undoes it then; empty when it did not.
@@ -146,13 +164,19 @@ void FlowRun::arrive(const std::vector<Vec3>& before, const Execution& execution
   const bool isTowardsTarget = !this->isSmoothing();
   const bool hasStopped = isTowardsTarget && this->hasStoppedMoving(before);
   this->countIteration();
-  const bool isRenewed = hasStopped || this->isRemeshingDue();
+  const bool isLast = hasStopped || this->Record.iteration == this->totalSteps();
+  const bool isRenewed = isLast || this->isRemeshingDue();
   if (isRenewed)
   {
-    this->Surface.remesh(execution.phase(0.0, 0.5));
+    this->Surface.remesh(isLast, execution.phase(0.0, 0.5));
   }
   this->evaluate(execution.phase(0.5, 1.0));
   const bool isStuck = isTowardsTarget && isRenewed && this->hasStalled();
+  if (isStuck && !isLast)
+  {
+    this->Surface.remesh(true, execution.phase(0.5, 1.0));
+    this->evaluate(execution.phase(0.5, 1.0));
+  }
   this->Converged = this->Converged || hasStopped || isStuck;
 }
 
@@ -167,11 +191,9 @@ bool FlowRun::hasStoppedMoving(const std::vector<Vec3>& before) const
   return farthest < this->Setup.options.convergenceTolerance * this->Setup.size;
 }
 
-/// So that the last state is clean, too.
 bool FlowRun::isRemeshingDue() const
 {
-  return this->Record.iteration % this->Setup.options.remeshingInterval == 0 ||
-    this->Record.iteration == this->totalSteps();
+  return this->Record.iteration % this->Setup.options.remeshingInterval == 0;
 }
 
 /// Intensities of an edge detector are no distances.

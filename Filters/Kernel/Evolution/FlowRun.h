@@ -49,6 +49,7 @@ private:
   Execution stepExecution() const;
   void evaluate(const Execution& execution);
   void stepOrStop();
+  void tidyLastState();
   std::string tryStep(int parts);
   void arrive(const std::vector<Vec3>& before, const Execution& execution);
   void repeatState();

@@ -3,7 +3,7 @@
 
 #include "Evolution/FlowStepper.h"
 
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 #include "Mesh/VertexNormals.h"
 
 #include <utility>

@@ -3,7 +3,7 @@
 
 #include "Evolution/VanishedComponents.h"
 
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 
 #include <algorithm>
 

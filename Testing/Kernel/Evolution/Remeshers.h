@@ -34,10 +34,10 @@ public:
   {
   }
 
-  std::optional<SurfaceMesh> remesh(const SurfaceMesh& surface, const std::vector<double>& distance,
-    const Execution& /*execution*/) override
+  std::optional<SurfaceMesh> remesh(
+    const RemeshingInput& input, const Execution& /*execution*/) override
   {
-    return this->Remesh(surface, distance);
+    return this->Remesh(input.surface, input.distance);
   }
 
 private:
