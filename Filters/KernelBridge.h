@@ -127,6 +127,9 @@ vtkSmartPointer<vtkPolyData> WritePolyData(const evolving::SurfaceMesh& mesh, in
 /// The mesh's polygons alone.
 vtkSmartPointer<vtkCellArray> WritePolygons(const evolving::SurfaceMesh& mesh);
 
+/// What the points become when they are written as `pointType`.
+void RoundPoints(int pointType, std::vector<evolving::Vec3>& points);
+
 /// The points alone, for a polydata that shares its polygons with others.
 void WritePoints(const std::vector<evolving::Vec3>& points, int pointType, vtkPolyData* output);
 
@@ -157,6 +160,7 @@ void AddPointArray(vtkDataSet* data, const char* name, const std::vector<evolvin
 void AddFieldValue(vtkDataObject* data, const char* name, double value);
 void AddFieldValue(vtkDataObject* data, const char* name, int value);
 void AddFieldValue(vtkDataObject* data, const char* name, const std::string& value);
+void AddFieldStrings(vtkDataObject* data, const char* name, const std::vector<std::string>& values);
 ///@}
 
 ///@{

@@ -131,6 +131,15 @@ void WritePoints(const std::vector<evolving::Vec3>& points, int pointType, vtkPo
 }
 
 //------------------------------------------------------------------------------
+void RoundPoints(int pointType, std::vector<evolving::Vec3>& points)
+{
+  for (evolving::Vec3& point : points)
+  {
+    point = pointType == VTK_FLOAT ? evolving::Vec3(point.cast<float>().cast<double>()) : point;
+  }
+}
+
+//------------------------------------------------------------------------------
 void AddPointArray(vtkDataSet* data, const char* name, const std::vector<double>& values)
 {
   vtkNew<vtkDoubleArray> array;
@@ -178,9 +187,18 @@ void AddFieldValue(vtkDataObject* data, const char* name, int value)
 //------------------------------------------------------------------------------
 void AddFieldValue(vtkDataObject* data, const char* name, const std::string& value)
 {
+  AddFieldStrings(data, name, { value });
+}
+
+//------------------------------------------------------------------------------
+void AddFieldStrings(vtkDataObject* data, const char* name, const std::vector<std::string>& values)
+{
   vtkNew<vtkStringArray> array;
   array->SetName(name);
-  array->InsertNextValue(value);
+  for (const std::string& value : values)
+  {
+    array->InsertNextValue(value);
+  }
   ReplaceFieldArray(data, array);
 }
 

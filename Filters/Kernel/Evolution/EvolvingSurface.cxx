@@ -88,9 +88,10 @@ void EvolvingSurface::remesh(bool isLast, const Execution& execution)
   {
     return;
   }
-  const std::vector<double> distance = this->Field.valuesAt(this->mesh().points, execution);
-  std::optional<SurfaceMesh> remeshed =
-    this->NewElements->remesh({ this->mesh(), this->Origin->points, distance, isLast }, execution);
+  const std::vector<double> distance =
+    this->Field.valuesAt(this->mesh().points, execution.phase(0.0, 0.1));
+  std::optional<SurfaceMesh> remeshed = this->NewElements->remesh(
+    { this->mesh(), this->Origin->points, distance, isLast }, execution.phase(0.1, 0.8));
   if (!remeshed)
   {
     return;
@@ -98,14 +99,15 @@ void EvolvingSurface::remesh(bool isLast, const Execution& execution)
   try
   {
     validate(*remeshed);
-    this->setElements(std::make_shared<const SurfaceMesh>(std::move(*remeshed)), execution);
+    this->setElements(
+      std::make_shared<const SurfaceMesh>(std::move(*remeshed)), execution.phase(0.8, 0.9));
   }
   catch (const InputError& error)
   {
     throw SolverError(
       std::string("remeshing made no surface that can be evolved: ") + error.what());
   }
-  this->Check.require(this->mesh(), execution);
+  this->Check.require(this->mesh(), execution.phase(0.9, 1.0));
 }
 
 } // namespace evolving

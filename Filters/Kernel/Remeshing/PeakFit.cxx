@@ -56,7 +56,7 @@ public:
       const Index f = this->FaceOfSample[s];
       const double size = f == NoIndex ? 0.0 : this->Surface.size(this->Surface.from(3 * f));
       if (this->Distance[s] > this->Options.tolerance * size &&
-        this->Distance[s] < this->Options.farthest * size)
+        this->Distance[s] < this->farthestFor(s) * size)
       {
         far.emplace_back(-this->Distance[s], s);
       }
@@ -132,6 +132,15 @@ private:
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     return faces;
+  }
+
+  /// Peaks are outside, valleys inside.
+  double farthestFor(std::size_t s) const
+  {
+    const Index f = this->FaceOfSample[s];
+    const bool isOutside =
+      (this->Samples[s] - this->Surface.corner(f, 0)).dot(this->Surface.doubleArea(f)) > 0.0;
+    return isOutside ? this->Options.farthest : this->Options.deepest;
   }
 
   bool approach(std::size_t s, const std::vector<Index>& faces)

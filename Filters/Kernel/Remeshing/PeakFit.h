@@ -22,6 +22,7 @@ struct PeakFitOptions
 {
   double tolerance = 0.2;   ///< of the size: samples nearer than this are left alone
   double farthest = 1.5;    ///< of the size: samples beyond are none of the surface's business
+  double deepest = 0.35;    ///< the same for samples inside, which may be hidden parts
   double leastAngle = 44.5; ///< degrees: no angle falls below it, nor below the smallest around
   int rounds = 3;
 };

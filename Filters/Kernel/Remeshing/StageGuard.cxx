@@ -69,7 +69,7 @@ Index runGuarded(EditableSurface& surface, const RemeshingStage& stage, const Ex
   {
     stage(surface);
     const SurfaceMesh mesh = surface.mesh();
-    const FacePairs pairs = selfIntersections(mesh, execution);
+    const FacePairs pairs = selfIntersections(mesh, execution.phase(0.0, 0.0));
     if (run == 1)
     {
       made = static_cast<Index>(pairs.size());
@@ -103,7 +103,7 @@ Index undoIntersections(
   };
   for (;;)
   {
-    const FacePairs pairs = selfIntersections(mesh, execution);
+    const FacePairs pairs = selfIntersections(mesh, execution.phase(0.0, 0.0));
     if (pairs.empty())
     {
       return count;

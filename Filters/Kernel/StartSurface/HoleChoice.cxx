@@ -73,17 +73,16 @@ private:
 
 } // namespace
 
-std::vector<BoundaryLoop> holesToFill(
-  const SurfaceMesh& mesh, const std::vector<BoundaryLoop>& loops, double gapSize)
+std::vector<BoundaryLoop> holesToFill(const SurfaceMesh& mesh,
+  const std::vector<BoundaryLoop>& loops, double gapSize, double narrow)
 {
   ComponentOpenings components(mesh, loops);
+  const double diameter = gapSize > 0.0 ? gapSize : narrow;
   std::vector<BoundaryLoop> holes;
   for (const BoundaryLoop& loop : loops)
   {
-    const bool isHole = gapSize > 0.0
-      ? loop.diameter < gapSize && loop.continuation > OutlineContinuation
-      : components.isScanHole(loop);
-    if (isHole)
+    const bool isNarrow = loop.diameter < diameter && loop.continuation > OutlineContinuation;
+    if (isNarrow || (gapSize == 0.0 && components.isScanHole(loop)))
     {
       holes.push_back(loop);
     }
