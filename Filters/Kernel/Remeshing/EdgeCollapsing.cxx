@@ -140,6 +140,11 @@ bool tryCollapse(EditableSurface& surface, Index e, const CollapseGuards& guards
 
 } // namespace
 
+bool collapseEdge(EditableSurface& surface, Index edge, const CollapseGuards& guards)
+{
+  return tryCollapse(surface, edge, guards);
+}
+
 Index collapseShortEdges(EditableSurface& surface, double ratio, const CollapseGuards& guards)
 {
   const auto relativeLength = [&surface](Index e)

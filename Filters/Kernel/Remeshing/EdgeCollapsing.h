@@ -31,6 +31,9 @@ struct CollapseGuards
  */
 Index collapseShortEdges(EditableSurface& surface, double ratio, const CollapseGuards& guards = {});
 
+/// Collapses one edge if the connectivity and the guards allow it, as collapseShortEdges() does.
+bool collapseEdge(EditableSurface& surface, Index edge, const CollapseGuards& guards = {});
+
 /// Collapses the shortest possible edge of every inner vertex with four or fewer neighbours.
 Index collapseLowValences(EditableSurface& surface, const CollapseGuards& guards = {});
 

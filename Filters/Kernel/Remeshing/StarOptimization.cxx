@@ -206,6 +206,28 @@ std::vector<std::pair<double, Index>> verticesOfBadFaces(
 
 } // namespace
 
+Index optimizeStarsOf(EditableSurface& surface, const ReferenceSurface& reference,
+  const std::vector<Index>& vertices, double degrees, int rounds)
+{
+  const double limit = std::cos(degrees * Pi / 180.0);
+  StarSearch search(surface, reference);
+  Index moves = 0;
+  for (int round = 0; round < rounds; ++round)
+  {
+    Index moved = 0;
+    for (const Index v : vertices)
+    {
+      moved += search.worstCosine(v) > limit && search.improve(v) ? 1 : 0;
+    }
+    moves += moved;
+    if (moved == 0)
+    {
+      break;
+    }
+  }
+  return moves;
+}
+
 Index optimizeStars(EditableSurface& surface, const ReferenceSurface& reference, double degrees,
   int rounds, const Execution& execution)
 {

@@ -12,6 +12,9 @@
 #include "Execution.h"
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/ReferenceSurface.h"
+#include "Types.h"
+
+#include <vector>
 
 namespace evolving
 {
@@ -26,6 +29,10 @@ namespace evolving
  */
 Index optimizeStars(EditableSurface& surface, const ReferenceSurface& reference, double degrees,
   int rounds, const Execution& execution = {});
+
+/// The same for given vertices only, those of good triangles left alone.
+Index optimizeStarsOf(EditableSurface& surface, const ReferenceSurface& reference,
+  const std::vector<Index>& vertices, double degrees, int rounds);
 
 } // namespace evolving
 

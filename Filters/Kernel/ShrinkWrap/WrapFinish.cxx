@@ -5,6 +5,7 @@
 
 #include "Remeshing/EdgeFlipping.h"
 #include "Remeshing/EditableSurface.h"
+#include "Remeshing/ElementRepair.h"
 #include "Remeshing/PeakFit.h"
 #include "Remeshing/Relaxation.h"
 #include "Remeshing/Remeshing.h"
@@ -29,6 +30,8 @@ constexpr int PolishPasses = 3;
 /// Smallest angles up to this are worth a search, in degrees; and how many rounds of it.
 constexpr double WantedAngle = 46.0;
 constexpr int StarRounds = 5;
+/// Triangles with smaller angles may be replaced by others.
+constexpr double SoundAngle = 42.0;
 /// For a peak's sake angles may fall to this, to recover afterwards.
 constexpr double BearableAngle = 38.0;
 /// What moving along the surface costs in the first fit: less finds ridges better and leaves worse
@@ -67,11 +70,13 @@ public:
     }
     this->stage(0.5, 0.6, &Finish::polish);
     this->stage(0.6, 0.75, &Finish::fitAlong);
-    this->stage(0.75, 0.9, &Finish::fit);
+    this->stage(0.75, 0.85, &Finish::fit);
+    this->stage(0.85, 0.9, &Finish::repair);
     if (this->IsOnTarget)
     {
-      this->stage(0.9, 1.0, &Finish::reachPeaks);
+      this->stage(0.9, 0.95, &Finish::reachPeaks);
     }
+    this->stage(0.95, 1.0, &Finish::repair);
     return this->Surface.mesh();
   }
 
@@ -142,6 +147,11 @@ private:
   void improve(EditableSurface& surface, const Execution& now) const
   {
     optimizeStars(surface, this->Reference, WantedAngle, StarRounds, now);
+  }
+
+  void repair(EditableSurface& surface, const Execution& now) const
+  {
+    repairElements(surface, this->Reference, SoundAngle, now);
   }
 
   void reachPeaks(EditableSurface& surface, const Execution& now) const
