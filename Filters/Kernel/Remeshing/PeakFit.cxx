@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace evolving
@@ -32,6 +33,43 @@ Triangle triangleOf(const EditableSurface& surface, Index f)
   return { { surface.corner(f, 0), surface.corner(f, 1), surface.corner(f, 2) } };
 }
 
+/// Which face is closest to each sample, and how far away it is.
+struct SampleDistances
+{
+  std::vector<Index> face;
+  std::vector<double> distance;
+
+  SampleDistances(
+    const EditableSurface& surface, const std::vector<Vec3>& samples, const Execution& execution)
+    : face(samples.size(), NoIndex)
+    , distance(samples.size(), 0.0)
+  {
+    std::vector<Index> slot;
+    for (Index f = 0; f < surface.faceSlots(); ++f)
+    {
+      if (surface.hasFace(f))
+      {
+        slot.push_back(f);
+      }
+    }
+    const AABBTree tree(surface.mesh(), execution.phase(0.0, 0.5));
+    execution.phase(0.5, 1.0).forRange(static_cast<std::int64_t>(samples.size()),
+      Execution::MeshGrain,
+      [&](std::int64_t begin, std::int64_t end)
+      {
+        Index guess = NoIndex;
+        for (auto s = static_cast<std::size_t>(begin); s < static_cast<std::size_t>(end); ++s)
+        {
+          const ClosestTriangle closest =
+            tree.closest(samples[s], std::numeric_limits<double>::infinity(), guess);
+          guess = closest.triangle;
+          this->face[s] = slot[at(guess)];
+          this->distance[s] = std::sqrt(closest.at.squaredDistance);
+        }
+      });
+  }
+};
+
 class PeakSearch
 {
 public:
@@ -41,11 +79,35 @@ public:
     , Reference(reference)
     , Samples(samples)
     , Options(options)
-    , FaceOfSample(samples.size(), NoIndex)
-    , Distance(samples.size(), 0.0)
     , SamplesOfFace(at(surface.faceSlots()))
   {
-    this->assignSamples(execution);
+    SampleDistances distances(surface, samples, execution);
+    this->FaceOfSample = std::move(distances.face);
+    this->Distance = std::move(distances.distance);
+    this->sortByFace();
+  }
+
+  /// Measures anew; no sample's closest face is far from what it was.
+  void update()
+  {
+    for (std::size_t s = 0; s < this->Samples.size(); ++s)
+    {
+      double nearest = std::numeric_limits<double>::infinity();
+      Index closest = NoIndex;
+      for (const Index f : this->facesAround(this->FaceOfSample[s]))
+      {
+        const double squared =
+          closestPointOnTriangle(this->Samples[s], triangleOf(this->Surface, f)).squaredDistance;
+        if (squared < nearest)
+        {
+          nearest = squared;
+          closest = f;
+        }
+      }
+      this->FaceOfSample[s] = closest;
+      this->Distance[s] = std::sqrt(nearest);
+    }
+    this->sortByFace();
   }
 
   Index run()
@@ -83,37 +145,12 @@ public:
   }
 
 private:
-  void assignSamples(const Execution& execution)
+  void sortByFace()
   {
-    SurfaceMesh mesh;
-    std::vector<Index> oldFace;
-    for (Index v = 0; v < this->Surface.vertexSlots(); ++v)
+    for (std::vector<std::size_t>& samples : this->SamplesOfFace)
     {
-      mesh.addPoint(this->Surface.point(v));
+      samples.clear();
     }
-    for (Index f = 0; f < this->Surface.faceSlots(); ++f)
-    {
-      if (this->Surface.hasFace(f))
-      {
-        mesh.addFace({ this->Surface.from(3 * f), this->Surface.from(3 * f + 1),
-          this->Surface.from(3 * f + 2) });
-        oldFace.push_back(f);
-      }
-    }
-    const AABBTree tree(mesh, execution);
-    execution.forRange(static_cast<std::int64_t>(this->Samples.size()), Execution::MeshGrain,
-      [&](std::int64_t begin, std::int64_t end)
-      {
-        Index guess = NoIndex;
-        for (auto s = static_cast<std::size_t>(begin); s < static_cast<std::size_t>(end); ++s)
-        {
-          const ClosestTriangle closest =
-            tree.closest(this->Samples[s], std::numeric_limits<double>::infinity(), guess);
-          guess = closest.triangle;
-          this->FaceOfSample[s] = oldFace[at(guess)];
-          this->Distance[s] = std::sqrt(closest.at.squaredDistance);
-        }
-      });
     for (std::size_t s = 0; s < this->Samples.size(); ++s)
     {
       this->SamplesOfFace[at(this->FaceOfSample[s])].push_back(s);
@@ -282,19 +319,35 @@ private:
 
 } // namespace
 
+std::vector<Vec3> samplesBeyond(const EditableSurface& surface, const std::vector<Vec3>& samples,
+  double tolerance, const Execution& execution)
+{
+  const SampleDistances distances(surface, samples, execution);
+  std::vector<Vec3> beyond;
+  for (std::size_t s = 0; s < samples.size(); ++s)
+  {
+    if (distances.distance[s] > tolerance * surface.size(surface.from(3 * distances.face[s])))
+    {
+      beyond.push_back(samples[s]);
+    }
+  }
+  return beyond;
+}
+
 Index fitPeaks(EditableSurface& surface, const ReferenceSurface& reference,
   const std::vector<Vec3>& samples, const PeakFitOptions& options, const Execution& execution)
 {
+  PeakSearch search(surface, reference, samples, options, execution);
   Index moved = 0;
   for (int round = 0; round < options.rounds; ++round)
   {
-    execution.report(static_cast<double>(round) / options.rounds);
-    const Index now = PeakSearch(surface, reference, samples, options, execution).run();
+    const Index now = search.run();
     moved += now;
     if (now == 0)
     {
       break;
     }
+    search.update();
   }
   return moved;
 }

@@ -27,6 +27,10 @@ struct PeakFitOptions
   int rounds = 3;
 };
 
+/// The samples farther from the surface than a fraction of its size: all that fitPeaks() needs.
+std::vector<Vec3> samplesBeyond(const EditableSurface& surface, const std::vector<Vec3>& samples,
+  double tolerance, const Execution& execution = {});
+
 /**
  * Lowers the largest distance from points of the target to the surface. A least-squares fit gives
  * up a peak for the sake of the many places around; here the face nearest to such a point comes

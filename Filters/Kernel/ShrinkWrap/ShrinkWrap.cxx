@@ -9,6 +9,7 @@
 #include "ShrinkWrap/WrapTarget.h"
 #include "StartSurface/BoundingIcosphere.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -19,44 +20,28 @@ namespace evolving
 namespace
 {
 
-/// Levels of walls matter to the flow within this many start levels of the target only.
-constexpr double NearLevels = 2.0;
 /// Positions need no more: remeshing follows.
 constexpr double SolverTolerance = 1e-6;
 constexpr int StallSteps = 8;
 
 /**
- * The distance less the level at which the result lies. What the region contains is outside; next
- * to the target its own sides count, but not where it has sheets.
+ * Zero where the flow is to end: at the offset, or where sheets' walls begin; from there to the
+ * target it is near enough to land. What the region contains is outside; next to the target its
+ * own sides count, but not where it has sheets.
  */
-std::shared_ptr<const ScalarImage> levelField(const WrapTarget& target, const OuterRegion& region,
-  const WrapReference& reference, const Execution& execution)
+std::shared_ptr<const ScalarImage> levelField(
+  const WrapTarget& target, const OuterRegion& region, const WrapReference& reference)
 {
-  const DistanceGrid& grid = target.grid;
+  const bool hasSheets = reference.hasSheets();
+  const double level = hasSheets ? std::max(target.offset, target.wall) : target.offset;
   std::vector<float> values(target.distance.size());
-  const auto valueAt = [&](std::size_t sample, const Vec3& point)
+  for (std::size_t sample = 0; sample < values.size(); ++sample)
   {
-    const bool isOutside = reference.hasSheets() || region.contains(sample);
-    const double distance = isOutside ? target.distance[sample] : target.signedDistance[sample];
-    const bool isNear = target.distance[sample] < NearLevels * target.startLevel;
-    return distance - (isNear ? reference.levelNear(point) : target.offset);
-  };
-  execution.forRangeReporting(grid.dimension(2), 1,
-    [&](std::int64_t begin, std::int64_t end)
-    {
-      for (int k = static_cast<int>(begin); k < static_cast<int>(end); ++k)
-      {
-        for (int j = 0; j < grid.dimension(1); ++j)
-        {
-          for (int i = 0; i < grid.dimension(0); ++i)
-          {
-            const auto sample = static_cast<std::size_t>(grid.index(i, j, k));
-            values[sample] = static_cast<float>(valueAt(sample, grid.point(i, j, k)));
-          }
-        }
-      }
-    });
-  return std::make_shared<const ScalarImage>(grid, std::move(values));
+    const bool isOutside = hasSheets || region.contains(sample);
+    const float distance = isOutside ? target.distance[sample] : target.signedDistance[sample];
+    values[sample] = distance - static_cast<float>(level);
+  }
+  return std::make_shared<const ScalarImage>(target.grid, std::move(values));
 }
 
 /// A sphere around the target that its flow can leave in triangles of the largest size.
@@ -104,7 +89,7 @@ ShrinkWrapProblem prepareShrinkWrap(
   const auto reference =
     std::make_shared<const WrapReference>(*target, region, execution.phase(0.5, 0.6));
   const auto remesher = std::make_shared<WrapRemesher>(target, reference, options);
-  problem.field = levelField(*target, *region, *reference, execution.phase(0.6, 0.7));
+  problem.field = levelField(*target, *region, *reference);
   const SurfaceMesh start = options.start == WrapStart::Icosphere
     ? sphereStart(*target)
     : region->boundary(execution.phase(0.7, 0.8));

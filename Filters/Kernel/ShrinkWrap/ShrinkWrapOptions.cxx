@@ -19,7 +19,7 @@ constexpr double DefaultVertexCount = 9000.0;
 
 /// The start is half an edge length away: after this time a twentieth of that is left.
 constexpr double IsosurfaceTime = 3.0;
-constexpr int IsosurfaceSteps = 6;
+constexpr int IsosurfaceSteps = 4;
 /// From a sphere the distance is some hundred times as large.
 constexpr double IcosphereTime = 20.0;
 constexpr int IcosphereSteps = 40;

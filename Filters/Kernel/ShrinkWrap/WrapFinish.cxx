@@ -42,6 +42,8 @@ constexpr double SmallestSize = 0.4;
 constexpr double LargestSize = 1.5;
 /// Remeshing ends with this fraction of the vertices that the sizes ask for.
 constexpr double VerticesPerExpected = 0.95;
+/// Samples nearer than this part of the tolerance will be no peaks either.
+constexpr double NearlyPeak = 0.5;
 /// Of the target, to find what the triangles cut off; in sizes.
 constexpr double SampleSpacing = 0.4;
 
@@ -156,9 +158,10 @@ private:
 
   void reachPeaks(EditableSurface& surface, const Execution& now) const
   {
-    const std::vector<Vec3> samples =
-      samplesOf(this->Reference.visible(), SampleSpacing * this->Size);
     PeakFitOptions options;
+    const std::vector<Vec3> samples =
+      samplesBeyond(surface, samplesOf(this->Reference.visible(), SampleSpacing * this->Size),
+        NearlyPeak * options.tolerance, now);
     options.leastAngle = BearableAngle;
     for (int round = 0; round < 2; ++round)
     {

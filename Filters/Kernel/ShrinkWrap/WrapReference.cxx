@@ -22,7 +22,7 @@ constexpr double ReachEdges = 2.0;
 /// A point nearer than this to its foot, in levels, does not say on which side it lies.
 constexpr double SureSide = 0.1;
 /// A sheet's side is probed so many radii of the region's ball away.
-constexpr double ProbeRadii = 1.2;
+constexpr double ProbeRadii = 1.5;
 /// The way there begins so many radii from the target, and leads away from it in steps of this
 /// fraction of the distance.
 constexpr double FirstProbe = 0.03;
@@ -34,7 +34,7 @@ constexpr int Climbs = 12;
 constexpr int Pushes = 3;
 constexpr double NearlyAtLevel = 0.98;
 /// Less openness may be the grid's doing.
-constexpr double SurelyOpen = 0.95;
+constexpr double SurelyOpen = 0.5;
 
 /// The corners, the middles of the edges and the centroid.
 std::array<Vec3, 7> placesOf(const Triangle& t)
@@ -161,16 +161,6 @@ double WrapReference::levelAt(Index triangle, const Vec3& point) const
     default:
       return std::max(this->Offset, this->Wall * this->openness(triangle, point));
   }
-}
-
-double WrapReference::levelNear(const Vec3& point) const
-{
-  if (!this->HasSheets)
-  {
-    return this->Offset;
-  }
-  const ClosestTriangle closest = this->Tree.closest(point);
-  return this->levelAt(closest.triangle, closest.at.point);
 }
 
 double WrapReference::deviation(const Vec3& point) const

@@ -35,8 +35,6 @@ public:
 
   Foot onSurface(const Vec3& point, const Vec3& facing, Index label, Index guess) const override;
 
-  /// The distance from the target at which the result lies, next to its place closest to a point.
-  double levelNear(const Vec3& point) const;
   /// Of a point from where the result shall lie next to it.
   double deviation(const Vec3& point) const;
   /// Is there a sheet that can be reached from both sides?

@@ -5,11 +5,13 @@
 
 #include "Distance/SignedDistance.h"
 #include "Errors.h"
+#include "Mesh/TopologySummary.h"
 #include "ShrinkWrap/PointSurface.h"
 #include "ShrinkWrap/TightGrid.h"
 #include "StartSurface/GapClosing.h"
 #include "StartSurface/HoleChoice.h"
 #include "StartSurface/HoleFilling.h"
+#include "StartSurface/InsideSamples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +29,11 @@ constexpr double StartPerCell = 0.8;
 /// Sheets that are reached from both sides become walls of this thickness on either side, in edge
 /// lengths: two layers of triangles closer than that would fold through each other.
 constexpr double WallPerEdge = 0.3;
+/// Cracks up to this many edge lengths wider than the start level closes are looked for, in steps,
+/// and a target counts as closed when it encloses this part of what it encloses without cracks.
+constexpr double LargestCrackEdges = 2.0;
+constexpr double CrackStepEdges = 0.5;
+constexpr double ClosedPart = 0.5;
 /// Openings narrower than this many edge lengths are closed: elements cannot line them.
 constexpr double NarrowEdges = 6.0;
 
@@ -57,6 +64,14 @@ std::vector<float> distanceTo(
   return signedDistance(surface, grid, grid.extent, options, execution).distance;
 }
 
+/// Signs only where they are sure and cheap.
+SignMethod signFor(const SurfaceMesh& surface)
+{
+  const TopologySummary topology = summarizeTopology(surface);
+  const bool isSure = topology.isClosed() && topology.isManifold() && topology.components == 1;
+  return isSure ? SignMethod::Pseudonormal : SignMethod::Unsigned;
+}
+
 std::vector<float> magnitudes(std::vector<float> values)
 {
   for (float& value : values)
@@ -64,6 +79,30 @@ std::vector<float> magnitudes(std::vector<float> values)
     value = std::abs(value);
   }
   return values;
+}
+
+/// The volume that a ball of a diameter cannot come into, beside what it touches.
+double enclosedBy(const WrapTarget& target, double diameter, const Execution& execution)
+{
+  InsideSamples samples(target.grid, target.distance, 0.5 * diameter, execution);
+  return static_cast<double>(fillCavities(samples, execution)) * target.grid.spacing.prod();
+}
+
+/**
+ * The smallest gap to close for which the target has the inside that it has for larger ones: what
+ * the start level lets in by a crack, as beside a lid, is meant to be inside.
+ */
+double gapThatCloses(const WrapTarget& target, const Execution& execution)
+{
+  const double least = 2.0 * target.startLevel;
+  const double most = least + LargestCrackEdges * target.edgeLength;
+  const double enclosed = enclosedBy(target, most, execution);
+  double gap = least;
+  while (gap < most && enclosedBy(target, gap, execution) < ClosedPart * enclosed)
+  {
+    gap += CrackStepEdges * target.edgeLength;
+  }
+  return gap < most ? gap : (enclosed > 0.0 ? most : least);
 }
 
 SurfaceMesh withoutHoles(const SurfaceMesh& surface, double gapSize, double edgeLength)
@@ -92,15 +131,16 @@ WrapTarget describeTarget(
   target.surface = withoutHoles(target.surface, gap, target.edgeLength);
   target.offset = options.offsetDistance;
   target.wall = WallPerEdge * target.edgeLength;
-  const double room = target.offset + std::max(StartPerEdge * target.edgeLength, 0.5 * gap);
+  const double room = target.offset + std::max(LargestCrackEdges * target.edgeLength, 0.5 * gap);
   target.grid = tightGrid(target.box, options.sampleDimensions, room);
   target.startLevel =
     target.offset + std::max(StartPerEdge * target.edgeLength, StartPerCell * target.cellSize());
   target.signedDistance =
-    distanceTo(target.surface, target.grid, SignMethod::Automatic, execution.phase(0.5, 0.8));
+    distanceTo(target.surface, target.grid, signFor(target.surface), execution.phase(0.5, 0.8));
   target.distance = magnitudes(target.signedDistance);
+  const double closed = gap > 0.0 ? gap : gapThatCloses(target, execution.phase(0.8, 0.8));
   target.startField =
-    closeGaps(target.grid, target.distance, target.startLevel, gap, execution.phase(0.8, 1.0));
+    closeGaps(target.grid, target.distance, target.startLevel, closed, execution.phase(0.8, 1.0));
   return target;
 }
 
