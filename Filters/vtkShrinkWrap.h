@@ -144,7 +144,7 @@ public:
 
   ///@{
   /**
-   * Steps of the evolution. The default is 0: 4 from an isosurface, 40 from an icosphere. The range
+   * Steps of the evolution. The default is 0: 4 from an isosurface, 50 from an icosphere. The range
    * is 0 to 100000.
    */
   vtkSetClampMacro(NumberOfSteps, int, 0, 100000);

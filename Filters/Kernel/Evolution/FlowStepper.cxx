@@ -3,9 +3,10 @@
 
 #include "Evolution/FlowStepper.h"
 
-#include "ParallelLoops.h"
 #include "Mesh/VertexNormals.h"
+#include "ParallelLoops.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace evolving
@@ -49,7 +50,31 @@ void FlowStepper::evaluateFlow(const Execution& execution)
   this->Geometry.update(this->Mesh, execution);
   this->Controls = this->Field.evaluate(this->Mesh.points, this->Geometry.normals(), execution);
   this->Field.limitAdvection(this->TimeStep, this->Controls);
+  this->limitAdvection(execution);
   this->evaluateVelocities(execution);
+}
+
+/// Elements that move by more than their own length fold where the directions meet.
+void FlowStepper::limitAdvection(const Execution& execution)
+{
+  if (this->Options.longestAdvection == 0.0)
+  {
+    return;
+  }
+  forEachIndex(execution, this->Mesh.vertexCount(),
+    [this](Index i)
+    {
+      const MeshTopology::Run ring = this->Topology.ringVertices(i);
+      double lengths = 0.0;
+      for (const Index j : ring)
+      {
+        lengths += (this->Mesh.points[at(j)] - this->Mesh.points[at(i)]).norm();
+      }
+      const double fastest =
+        this->Options.longestAdvection * lengths / std::max(1, ring.size()) / this->TimeStep;
+      double& eta = this->Controls.eta[at(i)];
+      eta = std::clamp(eta, -fastest, fastest);
+    });
 }
 
 void FlowStepper::evaluateSmoothing(double epsilon, const Execution& execution)

@@ -93,6 +93,7 @@ private:
     double timeStep = 0.0;
   };
 
+  void limitAdvection(const Execution& execution);
   void evaluateVelocities(const Execution& execution);
   void redoLastMove(const Execution& execution);
   std::vector<Vec3> slide(const std::vector<Vec3>& velocity, double timeStep);

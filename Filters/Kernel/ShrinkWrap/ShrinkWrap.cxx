@@ -22,7 +22,19 @@ namespace
 
 /// Positions need no more: remeshing follows.
 constexpr double SolverTolerance = 1e-6;
-constexpr int StallSteps = 8;
+/// Squared edge lengths that curvature smooths over in a step. From a sphere more: it draws the
+/// rims of double sheets back (FrontContacts.h).
+constexpr double CurvaturePerStep = 0.1;
+constexpr double SphereCurvaturePerStep = 0.6;
+/// Between membranes over holes, which only a larger D brings in, and the rims of double sheets,
+/// which fall behind their sides with it.
+constexpr double SphereBalance = 0.2;
+/// In edge lengths, a step: when no vertex moves farther than that, the surface has arrived or has
+/// met a membrane; and how far one may move at most.
+constexpr double ArrivedEdges = 0.2;
+constexpr double LongestAdvection = 0.5;
+/// Membranes get no nearer.
+constexpr int StallSteps = 15;
 
 /**
  * Zero where the flow is to end: at the offset, or where sheets' walls begin; from there to the
@@ -64,15 +76,20 @@ FlowOptions flowFor(const WrapTarget& target, const ShrinkWrapOptions& options)
   flow.numberOfSteps = stepsOf(options);
   flow.timeStep = timeStepOf(options);
   flow.advectionSpeed = 1.0;
-  flow.advectionBalance = options.start == WrapStart::Icosphere ? 1.0 : 0.0;
-  // Curvature smooths over a tenth of an element per step, and fades within an element's size.
-  flow.curvatureSpeed = 0.1 * edge * edge / flow.timeStep;
+  flow.longestAdvection = LongestAdvection;
+  // Curvature fades within an element's size of the target.
+  flow.curvatureSpeed = CurvaturePerStep * edge * edge / flow.timeStep;
   flow.curvatureRange = edge * edge;
   flow.redistribution.angle = 0.8 / flow.timeStep;
   flow.redistribution.angleMethod = AngleMethod::Shape;
   flow.solverTolerance = SolverTolerance;
-  // Membranes over holes get no nearer; from close by there are none.
-  flow.stallSteps = options.start == WrapStart::Icosphere ? StallSteps : 0;
+  if (options.start == WrapStart::Icosphere)
+  {
+    flow.advectionBalance = SphereBalance;
+    flow.curvatureSpeed = SphereCurvaturePerStep * edge * edge / flow.timeStep;
+    flow.convergenceTolerance = ArrivedEdges * edge / (0.5 * target.box.diagonal().norm());
+    flow.stallSteps = StallSteps;
+  }
   return flow;
 }
 

@@ -21,8 +21,8 @@ constexpr double DefaultVertexCount = 9000.0;
 constexpr double IsosurfaceTime = 3.0;
 constexpr int IsosurfaceSteps = 4;
 /// From a sphere the distance is some hundred times as large.
-constexpr double IcosphereTime = 20.0;
-constexpr int IcosphereSteps = 40;
+constexpr double IcosphereTime = 25.0;
+constexpr int IcosphereSteps = 50;
 
 } // namespace
 

@@ -24,7 +24,7 @@ namespace evolving
 namespace
 {
 
-constexpr int UniformPasses = 5;
+constexpr int UniformPasses = 7;
 constexpr int AdaptivePasses = 8;
 constexpr int PolishPasses = 3;
 /// Smallest angles up to this are worth a search, in degrees; and how many rounds of it.
@@ -36,7 +36,7 @@ constexpr double SoundAngle = 42.0;
 constexpr double BearableAngle = 38.0;
 /// What moving along the surface costs in the first fit: less finds ridges better and leaves worse
 /// elements.
-constexpr double TangentialInertia = 0.5;
+constexpr double TangentialInertia = 0.6;
 /// Adaptive sizes, in those of uniform ones.
 constexpr double SmallestSize = 0.4;
 constexpr double LargestSize = 1.5;

@@ -11,6 +11,7 @@
 #include "Remeshing/Remeshing.h"
 #include "Remeshing/SizingField.h"
 #include "Remeshing/StageGuard.h"
+#include "ShrinkWrap/FrontContacts.h"
 #include "ShrinkWrap/WrapFinish.h"
 
 #include <algorithm>
@@ -27,6 +28,8 @@ namespace
 constexpr double Growth = 0.4;
 constexpr double LargestSize = 6.0;
 constexpr double Gradation = 0.3;
+/// Sides of the surface that are far from the target keep this distance, in sizes.
+constexpr double FrontSizes = 1.5;
 
 void setSizesByDistance(EditableSurface& surface, double size, const std::vector<double>& distance)
 {
@@ -52,6 +55,8 @@ std::optional<SurfaceMesh> WrapRemesher::remesh(
   const RemeshingInput& input, const Execution& execution)
 {
   SurfaceMesh surface = input.surface;
+  const double thickness = FrontSizes * sizeForEdges(this->Target->edgeLength);
+  keepFrontsApart(surface, input.before, input.distance, thickness, execution.phase(0.0, 0.0));
   undoIntersections(surface, input.before, execution.phase(0.0, 0.0));
   surface = this->withRightSizes(surface, input.distance, execution.phase(0.0, 0.0));
   return input.isLast

@@ -37,6 +37,7 @@ TEST(FlowOptions, ValuesOutOfRangeAreRefused)
     [](FlowOptions& o) { o.surfaceGuard = 0.5; },
     [](FlowOptions& o) { o.convergenceTolerance = -1.0; },
     [](FlowOptions& o) { o.stallSteps = -1; },
+    [](FlowOptions& o) { o.longestAdvection = -1.0; },
     [](FlowOptions& o) { o.remeshingInterval = 0; },
     [](FlowOptions& o) { o.solverTolerance = 0.0; },
     [](FlowOptions& o) { o.solverTolerance = 0.5; },

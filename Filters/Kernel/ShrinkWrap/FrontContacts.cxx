@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ShrinkWrap/FrontContacts.h"
+
+#include "Distance/AABBTree.h"
+#include "Mesh/MeshTopology.h"
+#include "Mesh/VertexNormals.h"
+#include "ParallelLoops.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace evolving
+{
+
+namespace
+{
+
+/// Sides face each other when the cosine between their normals is below this.
+constexpr double FacingCosine = -0.8;
+
+} // namespace
+
+Index keepFrontsApart(SurfaceMesh& surface, const std::vector<Vec3>& before,
+  const std::vector<double>& distance, double thickness, const Execution& execution)
+{
+  const bool isNear = std::all_of(
+    distance.begin(), distance.end(), [thickness](double d) { return std::abs(d) <= thickness; });
+  if (isNear)
+  {
+    return 0;
+  }
+  const AABBTree tree(surface, execution);
+  const std::vector<Vec3> normals = angleWeightedNormals(surface, MeshTopology(surface), execution);
+  std::vector<char> isContact(surface.points.size(), 0);
+  execution.forRange(surface.vertexCount(), Execution::MeshGrain,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (auto v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v)
+      {
+        if (std::abs(distance[at(v)]) <= thickness)
+        {
+          continue;
+        }
+        const Ray ray{ surface.points[at(v)], -thickness * normals[at(v)] };
+        for (const RayHit& hit : tree.hits(ray))
+        {
+          const Vec3 normal = tree.triangle(hit.triangle).doubleAreaNormal().stableNormalized();
+          const bool isAhead = hit.parameter > 0.0 && hit.parameter <= 1.0;
+          if (isAhead && normal.dot(normals[at(v)]) < FacingCosine)
+          {
+            isContact[at(v)] = 1;
+          }
+        }
+      }
+    });
+  for (Index v = 0; v < surface.vertexCount(); ++v)
+  {
+    if (isContact[at(v)] != 0)
+    {
+      Vec3& point = surface.points[at(v)];
+      const double inwards = std::min(0.0, (point - before[at(v)]).dot(normals[at(v)]));
+      point -= inwards * normals[at(v)];
+    }
+  }
+  return static_cast<Index>(std::count(isContact.begin(), isContact.end(), 1));
+}
+
+} // namespace evolving
