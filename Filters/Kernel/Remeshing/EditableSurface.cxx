@@ -390,4 +390,12 @@ void EditableSurface::collapse(Index e)
   this->Outgoing[at(a)] = NoIndex;
 }
 
+void EditableSurface::takeOver(Index v, Index from)
+{
+  this->Points[at(v)] = this->Points[at(from)];
+  this->Sizes[at(v)] = this->Sizes[at(from)];
+  this->Guesses[at(v)] = this->Guesses[at(from)];
+  this->Holds[at(v)] = this->Holds[at(from)];
+}
+
 } // namespace evolving
