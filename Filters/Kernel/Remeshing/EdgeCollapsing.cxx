@@ -23,40 +23,36 @@ enum class Mobility
   None = 2,
 };
 
-/// The feature edges at a vertex, also the one of the boundary that ends there.
-std::vector<Index> featuresAt(const EditableSurface& surface, Index v)
-{
-  std::vector<Index> features;
-  const auto addFeature = [&](Index e)
-  {
-    if (surface.isFeature(e))
-    {
-      features.push_back(e);
-    }
-  };
-  surface.forEachOutgoing(v,
-    [&](Index e)
-    {
-      addFeature(e);
-      const Index incoming = EditableSurface::previous(e);
-      if (surface.opposite(incoming) == NoIndex)
-      {
-        addFeature(incoming);
-      }
-    });
-  return features;
-}
-
 Mobility mobilityOf(const EditableSurface& surface, Index v)
 {
   if (surface.isPinned(v))
   {
     return Mobility::None;
   }
-  const std::vector<Index> features = featuresAt(surface, v);
-  const bool isOnCurve =
-    features.size() == 2 && surface.curve(features[0]) == surface.curve(features[1]);
-  return features.empty() ? Mobility::Free : (isOnCurve ? Mobility::AlongCurve : Mobility::None);
+  Index features = 0;
+  Index curve = NoIndex;
+  bool isOneCurve = true;
+  const auto meet = [&](Index e)
+  {
+    if (surface.isFeature(e))
+    {
+      isOneCurve = isOneCurve && (features == 0 || surface.curve(e) == curve);
+      curve = surface.curve(e);
+      ++features;
+    }
+  };
+  surface.forEachOutgoing(v,
+    [&](Index e)
+    {
+      meet(e);
+      const Index incoming = EditableSurface::previous(e);
+      if (surface.opposite(incoming) == NoIndex)
+      {
+        meet(incoming);
+      }
+    });
+  const bool isOnCurve = features == 2 && isOneCurve;
+  return features == 0 ? Mobility::Free : (isOnCurve ? Mobility::AlongCurve : Mobility::None);
 }
 
 /// Collapses edges where they may; what is kept, and where, follows from who may move.

@@ -14,6 +14,7 @@
 #include "Mesh/MeshQuality.h"
 #include "Mesh/SurfaceMesh.h"
 #include "Remeshing/EditableSurface.h"
+#include "Remeshing/ReferenceSurface.h"
 #include "Remeshing/SizingField.h"
 #include "StartSurface/PrimitiveSurfaces.h"
 #include "StartSurface/QuadSplitting.h"
@@ -107,6 +108,17 @@ inline Index vertexNear(const EditableSurface& surface, const Vec3& point)
   }
   return nearest;
 }
+
+/// The unit sphere itself.
+class ExactSphere : public ReferenceSurface
+{
+public:
+  Foot onSurface(
+    const Vec3& point, const Vec3& /*facing*/, Index /*label*/, Index /*guess*/) const override
+  {
+    return { point.normalized(), point.normalized(), NoIndex };
+  }
+};
 
 /// Makes every edge whose faces' normals differ by more than 60 degrees part of curve 0.
 inline void markCreases(EditableSurface& surface)
