@@ -3,8 +3,6 @@
 
 #include "Remeshing/CurvedReference.h"
 
-#include "Mesh/MeshTopology.h"
-#include "Mesh/VertexNormals.h"
 #include "ParallelLoops.h"
 #include "Remeshing/Barycentric.h"
 
@@ -16,15 +14,42 @@ namespace evolving
 namespace
 {
 
-constexpr double LeastCosine = 0.5;
+/// Of the angle between the normals of a triangle and a corner of it: 30 degrees.
+constexpr double LeastCosine = 0.866;
 constexpr double Bulge = 0.5;
+
+/**
+ * Weighted so that they are exact where a vertex and its neighbours lie on a sphere (Max, *Weights
+ * for Computing Vertex Normals from Facet Normals*, 1999): else the bulges would be of third order.
+ */
+std::vector<Vec3> sphericalNormals(const SurfaceMesh& triangles)
+{
+  std::vector<Vec3> normals(triangles.points.size(), Vec3::Zero());
+  for (Index f = 0; f < triangles.faceCount(); ++f)
+  {
+    for (Index k = 0; k < 3; ++k)
+    {
+      const Vec3& corner = triangles.facePoint(f, k);
+      const Vec3 forth = triangles.facePoint(f, (k + 1) % 3) - corner;
+      const Vec3 back = triangles.facePoint(f, (k + 2) % 3) - corner;
+      const double squares = forth.squaredNorm() * back.squaredNorm();
+      normals[at(triangles.faceVertex(f, k))] +=
+        squares > 0.0 ? Vec3(forth.cross(back) / squares) : Vec3(Vec3::Zero());
+    }
+  }
+  for (Vec3& normal : normals)
+  {
+    normal.stableNormalize();
+  }
+  return normals;
+}
 
 } // namespace
 
 CurvedReference::CurvedReference(const SurfaceMesh& triangles, const Execution& execution)
   : Mesh(triangles)
   , Tree(triangles, execution)
-  , Normals(angleWeightedNormals(triangles, MeshTopology(triangles), execution))
+  , Normals(sphericalNormals(triangles))
 {
 }
 

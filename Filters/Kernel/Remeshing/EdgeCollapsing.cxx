@@ -3,8 +3,6 @@
 
 #include "Remeshing/EdgeCollapsing.h"
 
-#include "Remeshing/FaceShape.h"
-
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -27,116 +25,115 @@ enum class Mobility
 
 Mobility mobilityOf(const EditableSurface& surface, Index v)
 {
-  const Index curves = surface.featureEdges(v);
-  if (surface.isPinned(v) || (curves != 0 && curves != 2))
+  if (surface.isPinned(v))
   {
     return Mobility::None;
   }
-  return curves == 0 ? Mobility::Free : Mobility::AlongCurve;
+  Index features = 0;
+  Index curve = NoIndex;
+  bool isOneCurve = true;
+  const auto meet = [&](Index e)
+  {
+    if (surface.isFeature(e))
+    {
+      isOneCurve = isOneCurve && (features == 0 || surface.curve(e) == curve);
+      curve = surface.curve(e);
+      ++features;
+    }
+  };
+  surface.forEachOutgoing(v,
+    [&](Index e)
+    {
+      meet(e);
+      const Index incoming = EditableSurface::previous(e);
+      if (surface.opposite(incoming) == NoIndex)
+      {
+        meet(incoming);
+      }
+    });
+  const bool isOnCurve = features == 2 && isOneCurve;
+  return features == 0 ? Mobility::Free : (isOnCurve ? Mobility::AlongCurve : Mobility::None);
 }
 
-/// Judges the faces that a vertex takes along when it moves.
-class CollapseJudge
+/// Collapses edges where they may; what is kept, and where, follows from who may move.
+class Collapser
 {
 public:
-  CollapseJudge(const EditableSurface& surface, const CollapseGuards& guards)
+  Collapser(EditableSurface& surface, const CollapseGuards& guards)
     : Surface(surface)
-    , Guards(guards)
+    , Judge(surface, guards)
   {
   }
 
-  /// May `e` become `point`? @return what the guards say of both ends' faces
-  bool accepts(Index e, const Vec3& point) const
+  bool tryEdge(Index e)
   {
-    const Index a = this->Surface.from(e);
-    const Index b = this->Surface.to(e);
-    double worstBefore = 1.0;
-    double worstAfter = 1.0;
-    bool isGood = true;
-    for (const Index v : { a, b })
-    {
-      const Index other = v == a ? b : a;
-      this->Surface.forEachOutgoing(v,
-        [&](Index out)
-        { isGood = isGood && this->judge(out, other, point, worstBefore, worstAfter); });
-      this->Surface.forEachNeighbour(v,
-        [&](Index u) { isGood = isGood && (u == other || this->isShortEnough(u, other, point)); });
-    }
-    return isGood && (worstAfter >= this->Guards.leastQuality || worstAfter > worstBefore);
-  }
-
-private:
-  bool isShortEnough(Index u, Index kept, const Vec3& point) const
-  {
-    return (this->Surface.point(u) - point).norm() <
-      this->Guards.longest * this->Surface.size(u, kept);
-  }
-
-  /// The face of an edge that leaves the vertex; `other` is the edge's other end.
-  bool judge(Index out, Index other, const Vec3& point, double& before, double& after) const
-  {
-    const Index u = this->Surface.to(out);
-    const Index w = this->Surface.apex(out);
-    const Vec3& p = this->Surface.point(u);
-    const Vec3& q = this->Surface.point(w);
-    const Vec3& old = this->Surface.point(this->Surface.from(out));
-    before = std::min(before, faceShape(old, p, q));
-    if (u == other || w == other)
+    const Mobility from = mobilityOf(this->Surface, this->Surface.from(e));
+    const Mobility to = mobilityOf(this->Surface, this->Surface.to(e));
+    const auto mayVanish = [&](Mobility m)
+    { return m == Mobility::Free || (m == Mobility::AlongCurve && this->Surface.isFeature(e)); };
+    if (from == Mobility::Free && to == Mobility::Free && this->tryMiddle(e))
     {
       return true;
     }
-    const Vec3 normal = (p - point).cross(q - point);
-    const Vec3 oldNormal = (p - old).cross(q - old);
-    after = std::min(after, faceShape(point, p, q));
-    return normal.dot(oldNormal) >= this->Guards.leastCosine * normal.norm() * oldNormal.norm();
-  }
-
-  const EditableSurface& Surface;
-  const CollapseGuards& Guards;
-};
-
-/// Collapses e if it may; the half-edge to take and the point follow from who may move.
-bool tryCollapse(EditableSurface& surface, Index e, const CollapseGuards& guards)
-{
-  const Mobility from = mobilityOf(surface, surface.from(e));
-  const Mobility to = mobilityOf(surface, surface.to(e));
-  const bool isAlongCurve = surface.isFeature(e);
-  const auto mayVanish = [&](Mobility m)
-  { return m == Mobility::Free || (m == Mobility::AlongCurve && isAlongCurve); };
-  if (from == Mobility::Free && to == Mobility::Free)
-  {
-    const Vec3 middle = 0.5 * (surface.point(surface.from(e)) + surface.point(surface.to(e)));
-    if (surface.canCollapse(e) && CollapseJudge(surface, guards).accepts(e, middle))
+    // The vertex that is less free stays.
+    if (from <= to && mayVanish(from) && this->tryInto(e))
     {
-      const Index kept = surface.to(e);
-      surface.collapse(e);
-      surface.setPoint(kept, middle);
       return true;
     }
+    const Index o = this->Surface.opposite(e);
+    return to <= from && mayVanish(to) && (o != NoIndex ? this->tryInto(o) : this->tryOutOf(e));
   }
-  const CollapseJudge judge(surface, guards);
-  const auto tryInto = [&](Index half)
+
+  bool tryInto(Index e)
   {
-    if (!surface.canCollapse(half) || !judge.accepts(half, surface.point(surface.to(half))))
+    const Index kept = this->Surface.to(e);
+    if (!this->Surface.canCollapse(e) || !this->isWithinCut(e, this->Surface.from(e), kept) ||
+      !this->Judge.accepts(e, kept, this->Surface.point(kept)))
     {
       return false;
     }
-    surface.collapse(half);
-    return true;
-  };
-  // The vertex that is less free stays.
-  const Index o = surface.opposite(e);
-  const bool fromFirst = from <= to;
-  if (mayVanish(from) && fromFirst && tryInto(e))
-  {
+    this->Surface.collapse(e);
     return true;
   }
-  if (o != NoIndex && mayVanish(to) && to <= from && tryInto(o))
+
+private:
+  bool tryMiddle(Index e)
   {
+    const Index kept = this->Surface.to(e);
+    const Vec3 middle =
+      0.5 * (this->Surface.point(this->Surface.from(e)) + this->Surface.point(kept));
+    if (!this->Surface.canCollapse(e) || !this->Judge.accepts(e, kept, middle))
+    {
+      return false;
+    }
+    this->Surface.collapse(e);
+    this->Surface.setPoint(kept, middle);
     return true;
   }
-  return false;
-}
+
+  /// An edge of the boundary has one half-edge only: its far end takes over all of the near one.
+  bool tryOutOf(Index e)
+  {
+    const Index kept = this->Surface.from(e);
+    const Index heir = this->Surface.to(e);
+    if (!this->Surface.canCollapse(e) || !this->isWithinCut(e, heir, kept) ||
+      !this->Judge.accepts(e, kept, this->Surface.point(kept)))
+    {
+      return false;
+    }
+    this->Surface.collapse(e);
+    this->Surface.takeOver(heir, kept);
+    return true;
+  }
+
+  bool isWithinCut(Index e, Index vanishing, Index kept) const
+  {
+    return this->Surface.opposite(e) != NoIndex || this->Judge.mayCut(vanishing, kept);
+  }
+
+  EditableSurface& Surface;
+  CollapseJudge Judge;
+};
 
 } // namespace
 
@@ -149,6 +146,7 @@ Index collapseShortEdges(EditableSurface& surface, double ratio, const CollapseG
 {
   const auto relativeLength = [&surface](Index e)
   { return surface.length(e) / surface.size(surface.from(e), surface.to(e)); };
+  Collapser collapser(surface, guards);
   Index collapses = 0;
   std::vector<std::pair<double, Index>> edges;
   for (int sweep = 0; sweep < MostSweeps; ++sweep)
@@ -165,7 +163,7 @@ Index collapseShortEdges(EditableSurface& surface, double ratio, const CollapseG
     Index done = 0;
     for (const auto& [length, e] : edges)
     {
-      if (surface.hasEdge(e) && relativeLength(e) < ratio && tryCollapse(surface, e, guards))
+      if (surface.hasEdge(e) && relativeLength(e) < ratio && collapser.tryEdge(e))
       {
         ++done;
       }
@@ -181,6 +179,7 @@ Index collapseShortEdges(EditableSurface& surface, double ratio, const CollapseG
 
 Index collapseLowValences(EditableSurface& surface, const CollapseGuards& guards)
 {
+  Collapser collapser(surface, guards);
   Index collapses = 0;
   for (Index v = 0; v < surface.vertexSlots(); ++v)
   {
@@ -191,16 +190,9 @@ Index collapseLowValences(EditableSurface& surface, const CollapseGuards& guards
     std::vector<std::pair<double, Index>> edges;
     surface.forEachOutgoing(v, [&](Index e) { edges.emplace_back(surface.length(e), e); });
     std::sort(edges.begin(), edges.end());
-    for (const auto& [length, e] : edges)
-    {
-      if (surface.canCollapse(e) &&
-        CollapseJudge(surface, guards).accepts(e, surface.point(surface.to(e))))
-      {
-        surface.collapse(e);
-        ++collapses;
-        break;
-      }
-    }
+    const bool isGone = std::any_of(edges.begin(), edges.end(),
+      [&](const auto& entry) { return collapser.tryInto(entry.second); });
+    collapses += isGone ? 1 : 0;
   }
   return collapses;
 }

@@ -52,8 +52,12 @@ Index splitLongEdges(EditableSurface& surface, double ratio)
     std::sort(edges.begin(), edges.end());
     for (const auto& [length, e] : edges)
     {
-      surface.split(e, 0.5 * (surface.point(surface.from(e)) + surface.point(surface.to(e))));
-      ++splits;
+      // A split beside it may have given the number to a new edge.
+      if (relativeLength(surface, e) > ratio)
+      {
+        surface.split(e, 0.5 * (surface.point(surface.from(e)) + surface.point(surface.to(e))));
+        ++splits;
+      }
     }
   }
   return splits;

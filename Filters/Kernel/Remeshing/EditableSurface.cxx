@@ -7,7 +7,6 @@
 #include "Mesh/MeshTopology.h"
 
 #include <algorithm>
-#include <sstream>
 
 namespace evolving
 {
@@ -285,8 +284,8 @@ bool EditableSurface::canFlip(Index e) const
   }
   const Index c = this->apex(e);
   const Index d = this->apex(o);
-  return c != d && this->valence(this->from(e)) > 3 && this->valence(this->to(e)) > 3 &&
-    !this->areNeighbours(c, d);
+  const auto hasRoom = [this](Index v) { return this->isBoundary(v) || this->valence(v) > 3; };
+  return c != d && hasRoom(this->from(e)) && hasRoom(this->to(e)) && !this->areNeighbours(c, d);
 }
 
 void EditableSurface::flip(Index e)
@@ -327,9 +326,9 @@ bool EditableSurface::canCollapse(Index e) const
   const auto apexHasRoom = [this](Index edge)
   {
     const Index c = this->apex(edge);
-    const bool hasNoOther =
-      this->opposite(next(edge)) == NoIndex && this->opposite(previous(edge)) == NoIndex;
-    return !hasNoOther && (this->isBoundary(c) || this->valence(c) > 3);
+    // Two features that become one edge enclose a patch, or a boundary, that would vanish.
+    const bool isBetweenFeatures = this->isFeature(next(edge)) && this->isFeature(previous(edge));
+    return !isBetweenFeatures && (this->isBoundary(c) || this->valence(c) > 3);
   };
   if (!apexHasRoom(e) || (o != NoIndex && !apexHasRoom(o)))
   {
@@ -389,6 +388,14 @@ void EditableSurface::collapse(Index e)
   this->settleOutgoing(b, this->Outgoing[at(b)]);
   this->settleOutgoing(c, this->Outgoing[at(c)]);
   this->Outgoing[at(a)] = NoIndex;
+}
+
+void EditableSurface::takeOver(Index v, Index from)
+{
+  this->Points[at(v)] = this->Points[at(from)];
+  this->Sizes[at(v)] = this->Sizes[at(from)];
+  this->Guesses[at(v)] = this->Guesses[at(from)];
+  this->Holds[at(v)] = this->Holds[at(from)];
 }
 
 } // namespace evolving

@@ -142,6 +142,8 @@ public:
   bool canCollapse(Index e) const;
   /// to(e) stays where it is.
   void collapse(Index e);
+  /// Gives a vertex the point, size, guess and holds of another.
+  void takeOver(Index v, Index from);
 
 private:
   static constexpr unsigned char Pin = 1;

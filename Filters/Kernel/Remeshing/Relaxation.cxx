@@ -100,7 +100,7 @@ Index curveOfVertex(const EditableSurface& surface, Index vertex)
         ++edges;
       }
     });
-  return isOne && edges == 2 ? curve : NoIndex;
+  return isOne && edges == 2 && surface.featureEdges(vertex) == 2 ? curve : NoIndex;
 }
 
 void relax(EditableSurface& surface, const ReferenceSurface& reference, double damping, int sweeps,

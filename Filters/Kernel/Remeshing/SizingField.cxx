@@ -20,6 +20,8 @@ namespace
 
 constexpr int Averages = 2;
 constexpr int Bisections = 40;
+/// Of the largest size: with it edges reach that size where the radius is a million of them.
+constexpr double LeastError = 1e-7;
 
 /// Of each vertex the largest curvature of an edge from it, seen from both ends' normals.
 std::vector<double> largestEdgeCurvatures(const EditableSurface& surface)
@@ -67,15 +69,24 @@ void averageOverRings(const EditableSurface& surface, std::vector<double>& value
   }
 }
 
+double sizeFor(double curvature, double error)
+{
+  if (curvature <= 0.0)
+  {
+    return HUGE_VAL;
+  }
+  // No triangle between points of a sphere is farther from it than the radius.
+  const double e = std::min(error, 1.0 / curvature);
+  return std::sqrt(6.0 * e / curvature - 3.0 * e * e);
+}
+
 void setSizes(EditableSurface& surface, const std::vector<double>& curvatures,
   const CurvatureSizing& sizing, double error)
 {
   for (Index v = 0; v < surface.vertexSlots(); ++v)
   {
-    const double k = curvatures[at(v)];
-    const double squared = k > 0.0 ? 6.0 * error / k - 3.0 * error * error : HUGE_VAL;
     surface.setSize(
-      v, std::clamp(std::sqrt(std::max(0.0, squared)), sizing.smallest, sizing.largest));
+      v, std::clamp(sizeFor(curvatures[at(v)], error), sizing.smallest, sizing.largest));
   }
   gradeSizes(surface, sizing.gradation);
 }
@@ -137,7 +148,7 @@ double setSizesForVertexCount(
 {
   const std::vector<double> curvatures = averagedCurvatures(surface);
   // Between errors that clamp every size: more error, fewer vertices.
-  double low = 1e-6 * sizing.smallest;
+  double low = LeastError * sizing.largest;
   double high = sizing.largest;
   for (int i = 0; i < Bisections; ++i)
   {

@@ -105,8 +105,9 @@ private:
     const Vec3 doubleArea = this->Surface.doubleArea(f);
     const Vec3 facing = doubleArea.stableNormalized();
     Index guess = this->Surface.guess(this->Surface.from(3 * f));
-    for (const std::array<double, 3>& b : FitPlaces)
+    for (std::size_t i = 0; i < FitPlaces.size(); ++i)
     {
+      const std::array<double, 3>& b = FitPlaces[i];
       Vec3 point = Vec3::Zero();
       for (Index k = 0; k < 3; ++k)
       {
@@ -115,7 +116,8 @@ private:
       const ReferenceSurface::Foot foot =
         this->Reference.onSurface(point, facing, this->Surface.label(f), guess);
       guess = foot.triangle;
-      const double weight = doubleArea.norm() * std::max(0.0, foot.normal.dot(facing));
+      const double weight =
+        FitWeights[i] * doubleArea.norm() * std::max(0.0, foot.normal.dot(facing));
       Vec9 slope;
       for (Index k = 0; k < 3; ++k)
       {

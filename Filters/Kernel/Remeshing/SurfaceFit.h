@@ -40,15 +40,26 @@ struct FitOptions
 void fitToReference(EditableSurface& surface, const ReferenceSurface& reference,
   const FitOptions& options, const Execution& execution = {});
 
-/// Barycentric coordinates of the places of a triangle where its distance is measured.
+/// Barycentric coordinates of the places of a triangle where its distance is measured: with their
+/// weights exact for polynomials of degree four, as is the square of what a triangle cuts off
+/// (Dunavant, *High Degree Efficient Symmetrical Gaussian Quadrature Rules*, 1985).
+constexpr double FitOuter = 0.816847572980459;
+constexpr double FitOuterRest = 0.091576213509771;
+constexpr double FitInner = 0.108103018168070;
+constexpr double FitInnerRest = 0.445948490915965;
 constexpr std::array<std::array<double, 3>, 6> FitPlaces = { {
-  { 2.0 / 3.0, 1.0 / 6.0, 1.0 / 6.0 },
-  { 1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0 },
-  { 1.0 / 6.0, 1.0 / 6.0, 2.0 / 3.0 },
-  { 0.1, 0.45, 0.45 },
-  { 0.45, 0.1, 0.45 },
-  { 0.45, 0.45, 0.1 },
+  { FitOuter, FitOuterRest, FitOuterRest },
+  { FitOuterRest, FitOuter, FitOuterRest },
+  { FitOuterRest, FitOuterRest, FitOuter },
+  { FitInner, FitInnerRest, FitInnerRest },
+  { FitInnerRest, FitInner, FitInnerRest },
+  { FitInnerRest, FitInnerRest, FitInner },
 } };
+/// They sum to the number of places, as equal ones would.
+constexpr double FitOuterWeight = 6.0 * 0.109951743655322;
+constexpr double FitInnerWeight = 6.0 * 0.223381589678011;
+constexpr std::array<double, 6> FitWeights = { FitOuterWeight, FitOuterWeight, FitOuterWeight,
+  FitInnerWeight, FitInnerWeight, FitInnerWeight };
 
 } // namespace evolving
 
