@@ -139,7 +139,7 @@ private:
 
 bool collapseEdge(EditableSurface& surface, Index edge, const CollapseGuards& guards)
 {
-  return tryCollapse(surface, edge, guards);
+  return Collapser(surface, guards).tryEdge(edge);
 }
 
 Index collapseShortEdges(EditableSurface& surface, double ratio, const CollapseGuards& guards)

@@ -36,7 +36,7 @@ constexpr double SoundAngle = 42.0;
 constexpr double BearableAngle = 38.0;
 /// What moving along the surface costs in the first fit: less finds ridges better and leaves worse
 /// elements.
-constexpr double TangentialInertia = 0.6;
+constexpr double TangentialInertia = 0.9;
 /// Adaptive sizes, in those of uniform ones.
 constexpr double SmallestSize = 0.4;
 constexpr double LargestSize = 1.5;
