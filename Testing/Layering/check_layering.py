@@ -25,9 +25,10 @@ KERNEL_ARROWS = {
     "": set(),
     "Mesh": set(),
     "Distance": {"Mesh"},
+    "Features": {"Mesh", "Distance"},
     "StartSurface": {"Mesh", "Distance"},
     "Evolution": {"Mesh", "Distance"},
-    "ShrinkWrap": {"Mesh", "Distance", "StartSurface", "Evolution"},
+    "ShrinkWrap": {"Mesh", "Distance", "Features", "StartSurface", "Evolution"},
 }
 
 
