@@ -3,6 +3,7 @@
 
 #include "EvolutionSeries.h"
 
+#include "vtkCellArray.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
@@ -90,15 +91,27 @@ bool ContentStamp::Update(vtkDataSet* data)
 }
 
 //------------------------------------------------------------------------------
-EvolutionSeries::EvolutionSeries(const evolving::SurfaceMesh& start, int pointType, bool hasField,
+EvolutionSeries::EvolutionSeries(int pointType, bool hasField,
   evolving::FlowSeries::MakeFlow makeFlow, const std::vector<int>& published,
   std::size_t memoryLimit, const evolving::Execution& execution)
-  : Start(start)
-  , Polygons(KernelBridge::WritePolyData(start, pointType))
-  , PointType(pointType)
+  : PointType(pointType)
   , HasField(hasField)
   , Series(std::move(makeFlow), published, memoryLimit, execution)
 {
+}
+
+//------------------------------------------------------------------------------
+vtkCellArray* EvolutionSeries::PolygonsOf(
+  const std::shared_ptr<const evolving::SurfaceMesh>& origin)
+{
+  // A state that was computed again has an equal origin, but not the same.
+  const auto& written = this->WrittenOrigin;
+  if (!written || (written != origin && !evolving::haveEqualFaces(*written, *origin)))
+  {
+    this->Polygons = KernelBridge::WritePolygons(*origin);
+  }
+  this->WrittenOrigin = origin;
+  return this->Polygons;
 }
 
 //------------------------------------------------------------------------------
@@ -106,7 +119,8 @@ void EvolutionSeries::WriteState(
   std::size_t i, vtkPolyData* output, const evolving::Execution& execution)
 {
   const auto state = this->Series.state(i, execution);
-  output->ShallowCopy(this->Polygons);
+  output->Initialize();
+  output->SetPolys(this->PolygonsOf(state->origin));
   KernelBridge::WritePoints(state->points, this->PointType, output);
   WritePointArrays(state->arrays, this->HasField, output);
   WriteFieldArrays(state->record, output);
@@ -119,9 +133,7 @@ void EvolutionSeries::WriteState(
 //------------------------------------------------------------------------------
 evolving::SurfaceMesh EvolutionSeries::Mesh(std::size_t i, const evolving::Execution& execution)
 {
-  evolving::SurfaceMesh mesh = this->Start;
-  mesh.points = this->Series.state(i, execution)->points;
-  return mesh;
+  return this->Series.state(i, execution)->mesh();
 }
 
 //------------------------------------------------------------------------------

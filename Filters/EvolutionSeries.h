@@ -19,6 +19,7 @@
 #include <memory>
 #include <vector>
 
+class vtkCellArray;
 class vtkDataSet;
 class vtkPolyData;
 class vtkTable;
@@ -39,16 +40,19 @@ private:
   std::uint64_t Hash = 0;
 };
 
-/// A flow's series with what its states share as VTK data.
+/// A flow's series as VTK data: each state with its own polygons, which remeshing may change.
 class EvolutionSeries
 {
 public:
-  /// The flow of a start surface; every state has the start's polygons.
-  EvolutionSeries(const evolving::SurfaceMesh& start, int pointType, bool hasField,
-    evolving::FlowSeries::MakeFlow makeFlow, const std::vector<int>& published,
-    std::size_t memoryLimit, const evolving::Execution& execution);
+  /// Solves the flow.
+  EvolutionSeries(int pointType, bool hasField, evolving::FlowSeries::MakeFlow makeFlow,
+    const std::vector<int>& published, std::size_t memoryLimit,
+    const evolving::Execution& execution);
 
-  /// Points, polygons, point arrays and field arrays of the state published as number i.
+  /**
+   * Points, polygons, point arrays and field arrays of the state published as number i. States
+   * with equal polygons that are written one after the other share them.
+   */
   void WriteState(std::size_t i, vtkPolyData* output, const evolving::Execution& execution);
 
   /// The state published as number i, as the kernel has it.
@@ -60,8 +64,10 @@ public:
   const evolving::FlowSeries& Flow() const { return this->Series; }
 
 private:
-  evolving::SurfaceMesh Start;
-  vtkSmartPointer<vtkPolyData> Polygons;
+  vtkCellArray* PolygonsOf(const std::shared_ptr<const evolving::SurfaceMesh>& origin);
+
+  std::shared_ptr<const evolving::SurfaceMesh> WrittenOrigin;
+  vtkSmartPointer<vtkCellArray> Polygons; ///< of the origin written last
   int PointType;
   bool HasField;
   evolving::FlowSeries Series;

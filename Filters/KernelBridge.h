@@ -36,6 +36,7 @@
 #include <vector>
 
 class vtkAlgorithm;
+class vtkCellArray;
 class vtkDataArray;
 class vtkDataObject;
 class vtkDataSet;
@@ -123,6 +124,12 @@ evolving::ScalarImage ReadImage(vtkImageData* image);
 /// A polydata of the mesh's points (as `pointType`, VTK_FLOAT or VTK_DOUBLE) and polygons.
 vtkSmartPointer<vtkPolyData> WritePolyData(const evolving::SurfaceMesh& mesh, int pointType);
 
+/// The mesh's polygons alone.
+vtkSmartPointer<vtkCellArray> WritePolygons(const evolving::SurfaceMesh& mesh);
+
+/// What the points become when they are written as `pointType`.
+void RoundPoints(int pointType, std::vector<evolving::Vec3>& points);
+
 /// The points alone, for a polydata that shares its polygons with others.
 void WritePoints(const std::vector<evolving::Vec3>& points, int pointType, vtkPolyData* output);
 
@@ -153,6 +160,7 @@ void AddPointArray(vtkDataSet* data, const char* name, const std::vector<evolvin
 void AddFieldValue(vtkDataObject* data, const char* name, double value);
 void AddFieldValue(vtkDataObject* data, const char* name, int value);
 void AddFieldValue(vtkDataObject* data, const char* name, const std::string& value);
+void AddFieldStrings(vtkDataObject* data, const char* name, const std::vector<std::string>& values);
 ///@}
 
 ///@{

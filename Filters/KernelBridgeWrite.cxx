@@ -95,7 +95,14 @@ vtkSmartPointer<vtkPolyData> WritePolyData(const evolving::SurfaceMesh& mesh, in
 {
   const auto output = vtkSmartPointer<vtkPolyData>::New();
   WritePoints(mesh.points, pointType, output);
-  vtkNew<vtkCellArray> polygons;
+  output->SetPolys(WritePolygons(mesh));
+  return output;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkCellArray> WritePolygons(const evolving::SurfaceMesh& mesh)
+{
+  const auto polygons = vtkSmartPointer<vtkCellArray>::New();
   polygons->AllocateEstimate(mesh.faceCount(), 3);
   std::vector<vtkIdType> ids;
   for (evolving::Index face = 0; face < mesh.faceCount(); ++face)
@@ -107,8 +114,7 @@ vtkSmartPointer<vtkPolyData> WritePolyData(const evolving::SurfaceMesh& mesh, in
     }
     polygons->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
   }
-  output->SetPolys(polygons);
-  return output;
+  return polygons;
 }
 
 //------------------------------------------------------------------------------
@@ -122,6 +128,15 @@ void WritePoints(const std::vector<evolving::Vec3>& points, int pointType, vtkPo
     written->SetPoint(static_cast<vtkIdType>(i), points[i].data());
   }
   output->SetPoints(written);
+}
+
+//------------------------------------------------------------------------------
+void RoundPoints(int pointType, std::vector<evolving::Vec3>& points)
+{
+  for (evolving::Vec3& point : points)
+  {
+    point = pointType == VTK_FLOAT ? evolving::Vec3(point.cast<float>().cast<double>()) : point;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -172,9 +187,18 @@ void AddFieldValue(vtkDataObject* data, const char* name, int value)
 //------------------------------------------------------------------------------
 void AddFieldValue(vtkDataObject* data, const char* name, const std::string& value)
 {
+  AddFieldStrings(data, name, { value });
+}
+
+//------------------------------------------------------------------------------
+void AddFieldStrings(vtkDataObject* data, const char* name, const std::vector<std::string>& values)
+{
   vtkNew<vtkStringArray> array;
   array->SetName(name);
-  array->InsertNextValue(value);
+  for (const std::string& value : values)
+  {
+    array->InsertNextValue(value);
+  }
   ReplaceFieldArray(data, array);
 }
 

@@ -16,6 +16,7 @@
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <string>
 
 vtkStandardNewMacro(vtkShrinkWrap);
 
@@ -26,11 +27,9 @@ constexpr int SmallestDimension = 8;
 constexpr int LargestDimension = 4096;
 constexpr std::size_t SeriesBytes = std::size_t(2048) << 20;
 
-/// A vertex that stays farther away than this many edge lengths has met a membrane.
-constexpr double MembraneEdges = 1.0;
-
 //------------------------------------------------------------------------------
-void WriteReport(const evolving::SurfaceReport& report, vtkPolyData* output)
+void WriteReport(const evolving::SurfaceReport& report,
+  const std::vector<std::string>& shortcomings, vtkPolyData* output)
 {
   KernelBridge::AddFieldValue(output, "IsClosed", report.isClosed ? 1 : 0);
   KernelBridge::AddFieldValue(output, "IsManifold", report.isManifold ? 1 : 0);
@@ -38,6 +37,16 @@ void WriteReport(const evolving::SurfaceReport& report, vtkPolyData* output)
   KernelBridge::AddFieldValue(output, "Genus", report.genus);
   KernelBridge::AddFieldValue(output, "MinAngle", report.minAngle);
   KernelBridge::AddFieldValue(output, "MaxDistance", report.maxDistance);
+  if (!shortcomings.empty())
+  {
+    KernelBridge::AddFieldStrings(output, "Shortcomings", shortcomings);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<int> PublishedIterations(const evolving::ShrinkWrapOptions& options)
+{
+  return evolving::publishedIterations(evolving::stepsOf(options), 0, 1);
 }
 
 //------------------------------------------------------------------------------
@@ -57,7 +66,7 @@ struct vtkShrinkWrap::Cache
   evolving::ShrinkWrapOptions Options;
   std::unique_ptr<EvolutionSeries> Series;
   evolving::SurfaceReport Report;
-  double EdgeLength = 0.0;
+  std::vector<std::string> Shortcomings;
 
   /// Forgets the series unless it is the one of this input and these options.
   void Check(vtkPolyData* input, const evolving::ShrinkWrapOptions& options)
@@ -113,6 +122,9 @@ evolving::ShrinkWrapOptions vtkShrinkWrap::Options() const
   std::copy(this->SampleDimensions, this->SampleDimensions + 3, options.sampleDimensions.begin());
   options.targetEdgeLength = this->TargetEdgeLength;
   options.gapSize = this->GapSize;
+  options.adaptToCurvature = this->AdaptToCurvature;
+  options.preserveFeatures = this->PreserveFeatures;
+  options.featureAngle = this->FeatureAngle;
   options.numberOfSteps = this->NumberOfSteps;
   options.offsetDistance = this->OffsetDistance;
   return options;
@@ -169,11 +181,9 @@ int vtkShrinkWrap::RequestData(
   {
     return 1;
   }
-  if (this->AdaptToCurvature || this->PreserveFeatures)
+  if (this->PreserveFeatures)
   {
-    vtkErrorMacro(<< (this->AdaptToCurvature ? "AdaptToCurvature" : "PreserveFeatures")
-                  << " is on, but this version supports neither AdaptToCurvature nor "
-                     "PreserveFeatures; turn it off.");
+    vtkErrorMacro(<< "PreserveFeatures is on, but this version does not support it; turn it off.");
     return 0;
   }
   const std::vector<double> times = this->Times();
@@ -193,7 +203,7 @@ int vtkShrinkWrap::RequestData(
       series.WriteHistory(history);
       if (step + 1 == times.size())
       {
-        WriteReport(this->Solved->Report, output);
+        WriteReport(this->Solved->Report, this->Solved->Shortcomings, output);
       }
       if (this->OutputSteps)
       {
@@ -205,8 +215,8 @@ int vtkShrinkWrap::RequestData(
 //------------------------------------------------------------------------------
 std::vector<double> vtkShrinkWrap::Times() const
 {
-  const double timeStep = evolving::shrinkWrapTimeStep(this->Options());
-  return TimeSteps::Times(evolving::publishedIterations(this->NumberOfSteps, 0, 1), timeStep);
+  const evolving::ShrinkWrapOptions options = this->Options();
+  return TimeSteps::Times(PublishedIterations(options), evolving::timeStepOf(options));
 }
 
 //------------------------------------------------------------------------------
@@ -215,43 +225,39 @@ void vtkShrinkWrap::Solve(vtkPolyData* input, const evolving::Execution& executi
   ++this->NumberOfSolves;
   const int* n = this->SampleDimensions;
   KernelBridge::RequireMemory(evolving::GridIndex(n[0]) * n[1] * n[2]);
-  const evolving::SurfaceMesh target = ReadTarget(input);
-  evolving::ShrinkWrapProblem problem =
-    evolving::prepareShrinkWrap(target, this->Options(), execution.phase(0.0, 0.3));
-  const auto start = std::make_shared<const evolving::SurfaceMesh>(std::move(problem.start));
-  const auto makeFlow = [start, field = problem.field, flow = problem.flow](
-                          const evolving::Execution& host)
-  { return evolving::SurfaceFlow(*start, field, flow, host); };
-  const auto published = evolving::publishedIterations(this->NumberOfSteps, 0, 1);
-  auto series = std::make_unique<EvolutionSeries>(*start, KernelBridge::PointType(input), true,
-    makeFlow, published, SeriesBytes, execution.phase(0.3, 0.9));
-  this->Solved->Report = evolving::examine(series->Mesh(published.size() - 1, execution), target,
-    this->OffsetDistance, execution.phase(0.9, 1.0));
-  this->Solved->EdgeLength = problem.edgeLength;
+  const evolving::ShrinkWrapOptions options = this->Options();
+  const evolving::ShrinkWrapProblem problem =
+    evolving::prepareShrinkWrap(ReadTarget(input), options, execution.phase(0.0, 0.3));
+  const auto makeFlow = [problem](const evolving::Execution& host)
+  {
+    return evolving::SurfaceFlow(
+      problem.start, problem.field, problem.remesher, problem.flow, host);
+  };
+  const int pointType = KernelBridge::PointType(input);
+  auto series = std::make_unique<EvolutionSeries>(pointType, true, makeFlow,
+    PublishedIterations(options), SeriesBytes, execution.phase(0.3, 0.9));
+  evolving::SurfaceMesh result = series->Mesh(PublishedIterations(options).size() - 1, execution);
+  KernelBridge::RoundPoints(pointType, result.points);
+  this->Solved->Report = evolving::examine(
+    result, [&problem](const evolving::Vec3& p) { return problem.reference->deviation(p); },
+    execution.phase(0.9, 1.0));
+  this->Solved->Shortcomings = evolving::shortcomings(this->Solved->Report, problem.edgeLength);
   this->Solved->Series = std::move(series);
-  this->WarnOfShortcomings();
+  this->Warn();
 }
 
 //------------------------------------------------------------------------------
-void vtkShrinkWrap::WarnOfShortcomings()
+void vtkShrinkWrap::Warn()
 {
   const Cache& solved = *this->Solved;
   if (!solved.Series->Flow().stopReason().empty())
   {
-    vtkErrorMacro(<< solved.Series->Flow().stopReason());
+    // The state before it has been finished all the same.
+    vtkWarningMacro(<< solved.Series->Flow().stopReason());
   }
-  if (solved.Report.maxDistance > MembraneEdges * solved.EdgeLength)
+  for (const std::string& shortcoming : solved.Shortcomings)
   {
-    vtkWarningMacro(<< "A point of the result is " << solved.Report.maxDistance
-                    << " away from the input, more than an edge length (" << solved.EdgeLength
-                    << "): a membrane was left over a hole or a deep concavity, or the distance "
-                       "grid is too coarse; use the Isosurface start, a smaller GapSize or more "
-                       "SampleDimensions.");
-  }
-  if (solved.Report.selfIntersections > 0)
-  {
-    vtkWarningMacro(<< "The result has " << solved.Report.selfIntersections
-                    << " pairs of triangles that intersect; use a smaller TargetEdgeLength.");
+    vtkWarningMacro(<< shortcoming);
   }
 }
 

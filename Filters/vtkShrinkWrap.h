@@ -7,21 +7,25 @@
  *
  * vtkShrinkWrap takes a polydata of any quality (open, self-intersecting, duplicated or flipped
  * faces, a soup of triangles, or points alone) and makes a closed, 2-manifold, outward oriented
- * surface of nearly equal triangles that lies on it: it samples the distance to the input, starts
- * from an iso-surface a little outside (or a sphere around it) and lets it evolve onto the input as
- * vtkSurfaceEvolution does, with tangential redistribution.
+ * surface of nearly equilateral triangles that lies on it. It fills holes, samples the distance to
+ * the input, starts from an iso-surface a little outside (or a sphere around it) and lets it evolve
+ * onto the input as vtkSurfaceEvolution does, with new elements after every step. At the end
+ * vertices find ridges, the worst triangles are improved, and triangles are fitted to the input by
+ * least squares. The orientation of the input is never trusted. Sheets that can be reached from
+ * both sides become thin closed walls.
+ *
+ * A stage that makes the surface run through itself is undone at that place. What could not be
+ * reached is said in a warning for each, with the place, and in the field array Shortcomings.
  *
  * Output 0 is the finished surface; with OutputSteps on it is the series of the evolution, step 0
- * the start, as of vtkSurfaceEvolution. Point and field arrays are those of vtkSurfaceEvolution;
- * the finished surface has these field data as well: IsClosed, IsManifold (0 or 1),
- * SelfIntersections (pairs of triangles), Genus, MinAngle (degrees), MaxDistance (largest distance
- * of its vertices from the input, or from the offset surface).
+ * the start and the last step the finished surface, as of vtkSurfaceEvolution. Point and field
+ * arrays are those of vtkSurfaceEvolution; the finished surface has these field data as well:
+ * IsClosed, IsManifold (0 or 1), SelfIntersections (pairs of triangles), Genus, MinAngle (degrees),
+ * MaxDistance (largest distance of its vertices from where they should be: on the input with its
+ * holes filled, at OffsetDistance from it, or at a wall's half thickness), and Shortcomings
+ * (strings, one for each; no such array when there are none).
  *
  * Output 1 is the vtkTable `History` of vtkSurfaceEvolution.
- *
- * This version evolves with fixed connectivity, as the thesis does: an Icosphere start fills the
- * holes of handles with membranes and stretches triangles in deep concavities; a warning says so
- * when the remaining distance shows it. AdaptToCurvature and PreserveFeatures are refused.
  *
  * M. Cavarga, "Optimal Discretization of 3D Objects by Evolving Surfaces", 2020, chapter 6.
  *
@@ -93,7 +97,7 @@ public:
   ///@{
   /**
    * Edge length of the result's triangles, in length units. The default is 0: sqrt(2 A / (9000
-   * sqrt(3))) with A the input's area, about 9000 points.
+   * sqrt(3))) with A the input's area, about 9000 points. With AdaptToCurvature, the mean one.
    */
   vtkSetClampMacro(TargetEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetEdgeLength, double);
@@ -101,8 +105,9 @@ public:
 
   ///@{
   /**
-   * Holes and gaps narrower than this close, in length units. The default is 0: two cells of the
-   * distance grid, and at least the target edge length.
+   * Holes and gaps narrower than this close, in length units. The default is 0: holes of the kind
+   * that scanners leave and openings narrower than six edge lengths are filled, and gaps narrower
+   * than an edge length or two cells of the distance grid close.
    */
   vtkSetClampMacro(GapSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(GapSize, double);
@@ -110,7 +115,8 @@ public:
 
   ///@{
   /**
-   * Smaller triangles where the input is curved. Off; turning it on is refused in this version.
+   * Smaller triangles where the input is curved and larger ones where it is flat, as many in all.
+   * The default is off.
    */
   vtkSetMacro(AdaptToCurvature, bool);
   vtkGetMacro(AdaptToCurvature, bool);
@@ -138,9 +144,10 @@ public:
 
   ///@{
   /**
-   * Steps of the evolution. The default is 50, the range 1 to 100000.
+   * Steps of the evolution. The default is 0: 4 from an isosurface, 40 from an icosphere. The range
+   * is 0 to 100000.
    */
-  vtkSetClampMacro(NumberOfSteps, int, 1, 100000);
+  vtkSetClampMacro(NumberOfSteps, int, 0, 100000);
   vtkGetMacro(NumberOfSteps, int);
   ///@}
 
@@ -174,7 +181,7 @@ private:
   evolving::ShrinkWrapOptions Options() const;
   std::vector<double> Times() const;
   void Solve(vtkPolyData* input, const evolving::Execution& execution);
-  void WarnOfShortcomings();
+  void Warn();
 
   bool OutputSteps = false;
   int Start = ISOSURFACE;
@@ -184,7 +191,7 @@ private:
   bool AdaptToCurvature = false;
   bool PreserveFeatures = false;
   double FeatureAngle = 45.0;
-  int NumberOfSteps = 50;
+  int NumberOfSteps = 0;
   double OffsetDistance = 0.0;
   int NumberOfSolves = 0;
 

@@ -16,6 +16,8 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include <tuple>
+
 vtkStandardNewMacro(vtkSurfaceEvolution);
 
 namespace
@@ -44,27 +46,24 @@ evolving::SurfaceMesh StartSurface(const KernelBridge::Surface& surface)
 /// The last solve, and what it was a solve of.
 struct vtkSurfaceEvolution::Cache
 {
+  /// The flow's options, OutputInterval, CacheLimit, Remeshing, TargetEdgeLength.
+  using Parameters = std::tuple<evolving::FlowOptions, int, int, int, double>;
+
   ContentStamp Surface;
   ContentStamp Field;
-  evolving::FlowOptions Options;
-  int OutputInterval = 0;
-  int CacheLimit = 0;
+  Parameters Used;
   std::unique_ptr<EvolutionSeries> Series;
 
-  /// Forgets the series unless it is the one of these inputs and options.
-  void Check(vtkPolyData* surface, vtkImageData* field, const evolving::FlowOptions& options,
-    int interval, int limit)
+  /// Forgets the series unless it is the one of these inputs and parameters.
+  void Check(vtkPolyData* surface, vtkImageData* field, const Parameters& parameters)
   {
     const bool newSurface = this->Surface.Update(surface);
     const bool newField = this->Field.Update(field);
-    if (newSurface || newField || !(options == this->Options) || interval != this->OutputInterval ||
-      limit != this->CacheLimit)
+    if (newSurface || newField || !(parameters == this->Used))
     {
       this->Series.reset();
     }
-    this->Options = options;
-    this->OutputInterval = interval;
-    this->CacheLimit = limit;
+    this->Used = parameters;
   }
 };
 
@@ -123,6 +122,7 @@ evolving::FlowOptions vtkSurfaceEvolution::Options() const
   options.boundaryMode = static_cast<evolving::BoundaryMode>(this->BoundaryMode);
   options.surfaceGuard = this->SurfaceGuard;
   options.convergenceTolerance = this->ConvergenceTolerance;
+  options.remeshingInterval = this->RemeshingInterval;
   options.solverTolerance = this->SolverTolerance;
   return options;
 }
@@ -189,13 +189,14 @@ int vtkSurfaceEvolution::RequestData(
                   << ", but this version supports Off (0) only; call SetRemeshingToOff().");
     return 0;
   }
-  const evolving::FlowOptions options = this->Options();
   const auto published =
     evolving::publishedIterations(this->NumberOfSteps, this->SmoothingSteps, this->OutputInterval);
   const auto times = TimeSteps::Times(published, this->TimeStep);
   const std::size_t step = TimeSteps::Requested(outputVector->GetInformationObject(0), times);
   Cache& cache = *this->Solved;
-  cache.Check(input, field, options, this->OutputInterval, this->CacheLimit);
+  cache.Check(input, field,
+    { this->Options(), this->OutputInterval, this->CacheLimit, this->Remeshing,
+      this->TargetEdgeLength });
   return KernelBridge::RunToOutputs(this, { output, history },
     [&](const evolving::Execution& execution)
     {
@@ -223,9 +224,9 @@ std::unique_ptr<EvolutionSeries> vtkSurfaceEvolution::Solve(vtkPolyData* input, 
   const evolving::FlowOptions options = this->Options();
   ++this->NumberOfSolves;
   auto series = std::make_unique<EvolutionSeries>(
-    *start, KernelBridge::PointType(input), image != nullptr,
+    KernelBridge::PointType(input), image != nullptr,
     [start, image, options](const evolving::Execution& host)
-    { return evolving::SurfaceFlow(*start, image, options, host); },
+    { return evolving::SurfaceFlow(start, image, nullptr, options, host); },
     published, Bytes(this->CacheLimit), execution);
   if (!series->Flow().stopReason().empty())
   {

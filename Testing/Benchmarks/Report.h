@@ -20,21 +20,34 @@ namespace benchmark
 /// The program, the machine's threads and load, and the arguments that change figures.
 void printHeader(const std::string& program, const Arguments& arguments);
 
-/// Columns as wide as they need to be; the first to the left, the others to the right.
+/// Columns as wide as they need to be; texts to the left, the figures after them to the right.
 class Table
 {
 public:
-  Table(std::string title, std::vector<std::string> columns);
+  /// @param texts how many of the columns are no figures
+  Table(std::string title, std::vector<std::string> columns, std::size_t texts = 1);
 
-  /// A row may be shorter than the header; the rest is left empty.
-  void add(std::vector<std::string> row);
+  /**
+   * A row may be shorter than the header; the rest is left empty.
+   * @param remark stands in place of the rest and widens no column
+   */
+  void add(std::vector<std::string> row, const std::string& remark = {});
   /// A line below the table.
   void note(const std::string& line);
   void print() const;
 
 private:
+  struct Row
+  {
+    std::vector<std::string> cells;
+    std::string remark;
+  };
+
+  std::vector<std::size_t> widths() const;
+
   std::string Title;
-  std::vector<std::vector<std::string>> Rows; ///< the first is the header
+  std::size_t Texts;
+  std::vector<Row> Rows; ///< the first is the header
   std::vector<std::string> Notes;
 };
 

@@ -100,26 +100,23 @@ TEST(ShrinkWrapSteps, HistoryTellsOfTheWay)
   filter->Update();
   auto* history = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
   ASSERT_EQ(history->GetNumberOfRows(), 31);
+  // What the grid makes of the distance of a surface that lies on the target: some of a cell.
   EXPECT_LT(history->GetValueByName(30, "MeanDistance").ToDouble(),
-    0.2 * history->GetValueByName(0, "MeanDistance").ToDouble());
+    0.5 * history->GetValueByName(0, "MeanDistance").ToDouble());
 }
 
 //------------------------------------------------------------------------------
 TEST(ShrinkWrapSteps, WhatIsNotSupportedIsRefused)
 {
-  for (const bool adapts : { true, false })
-  {
-    vtkNew<vtkShrinkWrap> filter;
-    EventLog log(filter);
-    SetUpCoarsely(filter, Sample::Icosphere(1));
-    filter->SetAdaptToCurvature(adapts);
-    filter->SetPreserveFeatures(!adapts);
-    filter->Update();
-    ASSERT_EQ(log.Errors.size(), 1u);
-    EXPECT_TRUE(IsOneSentence(log.Errors.front()));
-    EXPECT_EQ(log.Errors.front().find(adapts ? "AdaptToCurvature" : "PreserveFeatures"), 0u);
-    EXPECT_TRUE(IsInitialized(filter->GetOutput()));
-  }
+  vtkNew<vtkShrinkWrap> filter;
+  EventLog log(filter);
+  SetUpCoarsely(filter, Sample::Icosphere(1));
+  filter->PreserveFeaturesOn();
+  filter->Update();
+  ASSERT_EQ(log.Errors.size(), 1u);
+  EXPECT_TRUE(IsOneSentence(log.Errors.front()));
+  EXPECT_EQ(log.Errors.front().find("PreserveFeatures"), 0u);
+  EXPECT_TRUE(IsInitialized(filter->GetOutput()));
 }
 
 } // namespace

@@ -27,8 +27,9 @@ KERNEL_ARROWS = {
     "Distance": {"Mesh"},
     "Features": {"Mesh", "Distance"},
     "StartSurface": {"Mesh", "Distance"},
-    "Evolution": {"Mesh", "Distance"},
-    "ShrinkWrap": {"Mesh", "Distance", "Features", "StartSurface", "Evolution"},
+    "Remeshing": {"Mesh", "Distance"},
+    "Evolution": {"Mesh", "Distance", "Remeshing"},
+    "ShrinkWrap": {"Mesh", "Distance", "Features", "StartSurface", "Remeshing", "Evolution"},
 }
 
 

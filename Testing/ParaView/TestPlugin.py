@@ -209,7 +209,7 @@ class BunnyPipeline(unittest.TestCase):
         self.assertEqual(field(result, "SelfIntersections"), 0)
         self.assertEqual(field(result, "Genus"), 1)
         self.assertLess(field(result, "MaxDistance"), 0.02 * size)
-        self.assertEqual(data(wrap, 1).GetNumberOfRows(), 51)
+        self.assertEqual(data(wrap, 1).GetNumberOfRows(), 5)
 
     def test_shrink_wrap_as_a_series(self):
         wrap = pv.ShrinkWrap(Input=pv.Icosphere(), SampleDimensions=[32, 32, 32],

@@ -26,7 +26,6 @@ PROXIES = {
 REPRESENTATIONS = {"HistoryChart": "HistoryChartRepresentation"}
 # Setters without a property, and why.
 NOT_OFFERED = {
-    ("ShrinkWrap", "AdaptToCurvature"): "refused in this version",
     ("ShrinkWrap", "PreserveFeatures"): "refused in this version",
     ("ShrinkWrap", "FeatureAngle"): "used with PreserveFeatures only",
     ("SurfaceEvolution", "Remeshing"): "refused in this version but for Off",

@@ -3,7 +3,7 @@
 
 #include "Evolution/Aggregation.h"
 
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 #include "Evolution/AngleRedistribution.h"
 
 #include "Evolution/ElementShape.h"
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "Evolution/ConjugateGradients.h"
 
 #include "Errors.h"
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 
 #include <cmath>
 #include <sstream>

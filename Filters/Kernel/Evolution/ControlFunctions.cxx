@@ -4,7 +4,7 @@
 #include "Evolution/ControlFunctions.h"
 
 #include "Evolution/EdgeDetector.h"
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 
 #include <algorithm>
 #include <cmath>
@@ -132,6 +132,12 @@ ControlValues ControlField::evaluateSmoothing(
     gradient = direction(gradient);
   }
   return values;
+}
+
+std::vector<double> ControlField::valuesAt(
+  const std::vector<Vec3>& points, const Execution& execution) const
+{
+  return this->sampleField(points, execution).value;
 }
 
 void ControlField::limitAdvection(double timeStep, ControlValues& values) const

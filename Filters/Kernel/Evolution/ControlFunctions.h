@@ -71,6 +71,9 @@ public:
   ControlValues evaluateSmoothing(
     const std::vector<Vec3>& points, double epsilon, const Execution& execution) const;
 
+  /// The field's values at points; empty without one.
+  std::vector<double> valuesAt(const std::vector<Vec3>& points, const Execution& execution) const;
+
   /**
    * Limits eta of an edge detector to one cell per step: a longer one jumps over edges. That of
    * a distance field is bounded by the distance, see ExplicitLimits.

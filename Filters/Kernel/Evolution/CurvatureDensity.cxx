@@ -3,7 +3,7 @@
 
 #include "Evolution/CurvatureDensity.h"
 
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 
 #include <algorithm>
 #include <cmath>

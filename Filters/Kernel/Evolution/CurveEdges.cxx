@@ -3,7 +3,7 @@
 
 #include "Evolution/CurveEdges.h"
 
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 #include "Mesh/Angles.h"
 #include "Mesh/DisjointSets.h"
 

@@ -3,7 +3,7 @@
 
 #include "Evolution/EdgeChains.h"
 
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 
 #include <algorithm>
 

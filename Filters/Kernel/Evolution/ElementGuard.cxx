@@ -3,7 +3,7 @@
 
 #include "Evolution/ElementGuard.h"
 
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 #include "Mesh/Angles.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "Evolution/ElementShape.h"
 
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 
 #include <Eigen/Dense>
 

@@ -4,7 +4,7 @@
 #include "Evolution/EvolutionStep.h"
 
 #include "Evolution/ConjugateGradients.h"
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 
 #include "Evolution/FiniteVolumes.h"
 
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 #include "Evolution/PolygonLaplacian.h"
 
 #include <algorithm>

@@ -50,7 +50,7 @@ auto members(const FlowOptions& o)
   return std::tie(o.timeStep, o.numberOfSteps, o.curvatureSpeed, o.curvatureRange, o.advectionSpeed,
     o.advectionBalance, o.relativeUnits, o.fieldMode, o.edgeSharpness, o.unsignedField,
     o.redistribution, o.smoothingSteps, o.smoothingSpeed, o.smoothingDecay, o.boundaryMode,
-    o.surfaceGuard, o.convergenceTolerance, o.solverTolerance);
+    o.surfaceGuard, o.convergenceTolerance, o.stallSteps, o.remeshingInterval, o.solverTolerance);
 }
 
 } // namespace
@@ -87,6 +87,8 @@ void checkOptions(const FlowOptions& options)
   checkRange("The smoothing decay", options.smoothingDecay, 0.0, Largest);
   checkRange("The surface guard", options.surfaceGuard, 1.0, Largest);
   checkRange("The convergence tolerance", options.convergenceTolerance, 0.0, Largest);
+  checkRange("The number of steps to a stall", options.stallSteps, 0.0, Largest);
+  checkRange("The remeshing interval", options.remeshingInterval, 1.0, Largest);
   checkRange("The solver tolerance", options.solverTolerance, SmallestPositive, 0.1);
   checkOptions(options.redistribution);
 }

@@ -86,7 +86,15 @@ struct FlowOptions
   BoundaryMode boundaryMode = BoundaryMode::Fixed;
   double surfaceGuard = 2.0;         ///< of the box of start and field; leaving it ends a run
   double convergenceTolerance = 0.0; ///< fraction of L; 0 = run all steps
+  int stallSteps = 0; ///< without getting nearer to the target, see StallTest; 0 = any number
+  int remeshingInterval = 1; ///< steps from remeshing to remeshing, with a remesher
   double solverTolerance = 1e-10;
+
+  /// Is the step after that iteration one of the smoothing steps?
+  bool isSmoothing(int iteration) const
+  {
+    return this->smoothingSteps > 0 && iteration >= this->numberOfSteps;
+  }
 };
 
 bool operator==(const FlowOptions& a, const FlowOptions& b);
@@ -94,7 +102,7 @@ bool operator==(const FlowOptions& a, const FlowOptions& b);
 /**
  * @throws InputError when a parameter is not a finite number or out of its range: the time step
  * and curvatureRange positive, counts, speeds and rates not negative, advectionBalance in [0, 1],
- * solverTolerance in (0, 0.1], surfaceGuard at least 1.
+ * solverTolerance in (0, 0.1], surfaceGuard and remeshingInterval at least 1.
  */
 void checkOptions(const FlowOptions& options);
 void checkOptions(const RedistributionOptions& options);

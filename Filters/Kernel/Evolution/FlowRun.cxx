@@ -23,14 +23,13 @@ constexpr int MostHalvings = 4;
 
 } // namespace
 
-FlowRun::FlowRun(SurfaceMesh start, std::shared_ptr<const ScalarImage> field,
+FlowRun::FlowRun(const std::shared_ptr<const SurfaceMesh>& start,
+  std::shared_ptr<const ScalarImage> field, std::shared_ptr<Remesher> remesher,
   const FlowSetup& setup, const Execution& execution)
   : Setup(setup)
   , Run(execution)
-  , Center(boundingBox(start).center())
-  , Check(start, field ? field->box() : Box(), setup.options.surfaceGuard)
-  , Stepper(std::move(start), std::move(field), setup.options, setup.size, setup.parts.timeStep,
-      execution.phase(0.0, 0.0))
+  , Center(boundingBox(*start).center())
+  , Surface(start, std::move(field), std::move(remesher), setup, execution.phase(0.0, 0.0))
 {
   try
   {
@@ -40,7 +39,7 @@ FlowRun::FlowRun(SurfaceMesh start, std::shared_ptr<const ScalarImage> field,
   {
     throw InputError(std::string("The start surface cannot be evolved: ") + error.what());
   }
-  this->publish();
+  this->hasStalled(); // looks at the start
 }
 
 int FlowRun::totalSteps() const
@@ -56,8 +55,7 @@ bool FlowRun::isFinished() const
 
 bool FlowRun::isSmoothing() const
 {
-  return this->Setup.options.smoothingSteps > 0 &&
-    this->Record.iteration >= this->Setup.options.numberOfSteps;
+  return this->Setup.options.isSmoothing(this->Record.iteration);
 }
 
 /// Progress and stop requests of the next step.
@@ -67,27 +65,12 @@ Execution FlowRun::stepExecution() const
   return this->Run.phase(this->Record.iteration / total, (this->Record.iteration + 1) / total);
 }
 
-/// Velocities for the step after the current state, or its next part.
+/// Velocities for the step after the current state, and the state's arrays and numbers.
 void FlowRun::evaluate(const Execution& execution)
 {
-  const FlowOptions& o = this->Setup.options;
-  if (this->isSmoothing())
-  {
-    const int k = this->Record.iteration - o.numberOfSteps;
-    this->Stepper.evaluateSmoothing(
-      smoothingControl(o.smoothingSpeed, o.smoothingDecay, k), execution);
-  }
-  else
-  {
-    this->Stepper.evaluateFlow(execution);
-  }
-  this->HasVelocities = true;
-  this->Record.solverIterations += this->Stepper.evaluationIterations();
-}
-
-void FlowRun::publish()
-{
-  this->Arrays = this->Stepper.arrays();
+  this->Surface.evaluate(this->Record.iteration, execution);
+  this->Arrays = this->Surface.arrays();
+  this->Record.solverIterations = this->Surface.solverIterations();
   measureState(this->mesh(), this->Center, this->Arrays, this->Record, this->Run);
 }
 
@@ -99,6 +82,7 @@ void FlowRun::step()
   {
     return;
   }
+  this->Surface.resetSolverIterations();
   if (this->Converged && !this->isSmoothing())
   {
     this->repeatState();
@@ -124,25 +108,42 @@ void FlowRun::stepOrStop()
   std::ostringstream message;
   message << "The evolution ended before step " << this->Record.iteration + 1 << ": " << failure;
   this->StopReason = message.str();
+  this->tidyLastState();
+}
+
+/// The state before the step that failed is the last one; it stays as it is when that fails, too.
+void FlowRun::tidyLastState()
+{
+  const SurfacePlace place = this->Surface.place();
+  const FlowRecord record = this->Record;
+  try
+  {
+    this->Surface.remesh(true, this->stepExecution());
+    this->evaluate(this->stepExecution());
+  }
+  catch (const SolverError&)
+  {
+    this->Surface.setPlace(place, Execution());
+    this->Record = record;
+  }
 }
 
 /// Returns why the step failed, and undoes it then; empty when it did not.
 std::string FlowRun::tryStep(int parts)
 {
-  const SurfacePosition positionBefore = this->Stepper.position();
+  const SurfacePlace placeBefore = this->Surface.place();
   const FlowRecord recordBefore = this->Record;
   const auto undo = [&]()
   {
-    this->Stepper.setPosition(positionBefore);
+    this->Surface.setPlace(placeBefore, Execution());
     this->Record = recordBefore;
-    this->HasVelocities = false;
   };
   const Execution execution = this->stepExecution();
-  this->Record.solverIterations = 0;
+  this->Surface.resetSolverIterations();
   try
   {
-    this->moveInParts(parts, positionBefore.points, execution.phase(0.0, 0.9));
-    this->arrive(positionBefore.points, execution.phase(0.9, 1.0));
+    this->Surface.move(this->Record.iteration, parts, execution.phase(0.0, 0.9));
+    this->arrive(placeBefore.position.points, execution.phase(0.9, 1.0));
     return {};
   }
   catch (const SolverError& error)
@@ -157,33 +158,26 @@ std::string FlowRun::tryStep(int parts)
   }
 }
 
-void FlowRun::moveInParts(int parts, const std::vector<Vec3>& before, const Execution& execution)
-{
-  const double tau = this->Setup.options.timeStep / parts;
-  for (int part = 0; part < parts; ++part)
-  {
-    const double done = static_cast<double>(part) / parts;
-    const Execution now = execution.phase(done, done + 1.0 / parts);
-    now.report(0.0);
-    if (!this->HasVelocities)
-    {
-      this->evaluate(now.phase(0.0, 0.5));
-    }
-    this->HasVelocities = false;
-    this->Stepper.advance(tau, now.phase(0.5, 1.0));
-    this->Record.solverIterations += this->Stepper.advanceIterations();
-    this->Check.require(this->mesh(), now);
-    this->Stepper.limitLastMove(before, now);
-  }
-}
-
+/// The surface is where the step ends: gives it new elements, and looks whether it is there.
 void FlowRun::arrive(const std::vector<Vec3>& before, const Execution& execution)
 {
-  const bool converged = !this->isSmoothing() && this->hasStoppedMoving(before);
+  const bool isTowardsTarget = !this->isSmoothing();
+  const bool hasStopped = isTowardsTarget && this->hasStoppedMoving(before);
   this->countIteration();
-  this->evaluate(execution);
-  this->publish();
-  this->Converged = this->Converged || converged;
+  const bool isLast = hasStopped || this->Record.iteration == this->totalSteps();
+  const bool isRenewed = isLast || this->isRemeshingDue();
+  if (isRenewed)
+  {
+    this->Surface.remesh(isLast, execution.phase(0.0, 0.5));
+  }
+  this->evaluate(execution.phase(0.5, 1.0));
+  const bool isStuck = isTowardsTarget && isRenewed && this->hasStalled();
+  if (isStuck && !isLast)
+  {
+    this->Surface.remesh(true, execution.phase(0.5, 1.0));
+    this->evaluate(execution.phase(0.5, 1.0));
+  }
+  this->Converged = this->Converged || hasStopped || isStuck;
 }
 
 bool FlowRun::hasStoppedMoving(const std::vector<Vec3>& before) const
@@ -197,6 +191,21 @@ bool FlowRun::hasStoppedMoving(const std::vector<Vec3>& before) const
   return farthest < this->Setup.options.convergenceTolerance * this->Setup.size;
 }
 
+bool FlowRun::isRemeshingDue() const
+{
+  return this->Record.iteration % this->Setup.options.remeshingInterval == 0;
+}
+
+/// Intensities of an edge detector are no distances.
+bool FlowRun::hasStalled()
+{
+  const FlowOptions& o = this->Setup.options;
+  const bool hasDistances =
+    o.fieldMode == FieldMode::DistanceField && !this->Arrays.distance.empty();
+  return hasDistances && o.stallSteps > 0 &&
+    this->Stall.hasStalled(this->Record.iteration, this->Record.maxDistance, o.stallSteps);
+}
+
 /// A converged state waits for the smoothing steps.
 void FlowRun::repeatState()
 {
@@ -206,7 +215,6 @@ void FlowRun::repeatState()
   if (this->isSmoothing())
   {
     this->evaluate(this->stepExecution());
-    this->publish();
   }
 }
 
@@ -218,18 +226,20 @@ void FlowRun::countIteration()
 
 FlowState FlowRun::state() const
 {
-  const SurfacePosition position = this->Stepper.position();
-  return { position.points, position.onCurves, this->Arrays, this->Record };
+  SurfacePlace place = this->Surface.place();
+  return { std::move(place.origin), std::move(place.position.points),
+    std::move(place.position.onCurves), this->Arrays, this->Record, this->Stall, this->Converged };
 }
 
 void FlowRun::resume(const FlowState& state)
 {
-  this->Stepper.setPosition({ state.points, state.curvePositions });
   this->Record = state.record;
-  this->Converged = false;
+  this->Surface.setPlace(
+    { state.origin, { state.points, state.curvePositions } }, this->stepExecution());
+  this->Stall = state.stall;
+  this->Converged = state.hasConverged;
   this->StopReason.clear();
   this->evaluate(this->stepExecution());
-  this->publish();
   this->Record = state.record;
 }
 

@@ -3,15 +3,16 @@
 
 /**
  * @file
- * The course of an evolution: steps, retries, smoothing, convergence and early ends.
+ * The course of an evolution: steps, retries, new elements, smoothing, convergence, early ends.
  */
 
 #ifndef EVOLVING_FLOW_RUN_H
 #define EVOLVING_FLOW_RUN_H
 
+#include "Evolution/EvolvingSurface.h"
 #include "Evolution/FlowSetup.h"
-#include "Evolution/FlowStepper.h"
-#include "Evolution/StateCheck.h"
+#include "Evolution/Remesher.h"
+#include "Evolution/StallTest.h"
 #include "Evolution/SurfaceFlow.h"
 #include "Execution.h"
 
@@ -26,8 +27,8 @@ namespace evolving
 class FlowRun
 {
 public:
-  FlowRun(SurfaceMesh start, std::shared_ptr<const ScalarImage> field, const FlowSetup& setup,
-    const Execution& execution);
+  FlowRun(const std::shared_ptr<const SurfaceMesh>& start, std::shared_ptr<const ScalarImage> field,
+    std::shared_ptr<Remesher> remesher, const FlowSetup& setup, const Execution& execution);
 
   int totalSteps() const;
   bool isFinished() const;
@@ -36,7 +37,7 @@ public:
 
   void step();
 
-  const SurfaceMesh& mesh() const { return this->Stepper.mesh(); }
+  const SurfaceMesh& mesh() const { return this->Surface.mesh(); }
   const FlowArrays& arrays() const { return this->Arrays; }
   const FlowRecord& record() const { return this->Record; }
   FlowState state() const;
@@ -47,23 +48,23 @@ private:
   bool isSmoothing() const;
   Execution stepExecution() const;
   void evaluate(const Execution& execution);
-  void publish();
   void stepOrStop();
+  void tidyLastState();
   std::string tryStep(int parts);
-  void moveInParts(int parts, const std::vector<Vec3>& before, const Execution& execution);
   void arrive(const std::vector<Vec3>& before, const Execution& execution);
   void repeatState();
   void countIteration();
   bool hasStoppedMoving(const std::vector<Vec3>& before) const;
+  bool isRemeshingDue() const;
+  bool hasStalled();
 
   FlowSetup Setup;
   Execution Run;
   Vec3 Center; ///< of the start
-  StateCheck Check;
-  FlowStepper Stepper;
-  bool HasVelocities = false; ///< the stepper's are those of its position
+  EvolvingSurface Surface;
   FlowArrays Arrays;
   FlowRecord Record;
+  StallTest Stall;
   bool Converged = false;
   std::string StopReason;
 };

@@ -12,6 +12,7 @@ namespace evolving
 namespace
 {
 
+/// Without its origin, which it shares.
 std::size_t bytesOf(const FlowState& state)
 {
   const FlowArrays& arrays = state.arrays;
@@ -21,6 +22,29 @@ std::size_t bytesOf(const FlowState& state)
     arrays.meanCurvature.size() + arrays.coVolume.size() + arrays.normalVelocity.size() +
     arrays.redistributionPotential.size();
   return vectors * sizeof(Vec3) + scalars * sizeof(double);
+}
+
+std::size_t bytesOf(const SurfaceMesh& mesh)
+{
+  return mesh.points.size() * sizeof(Vec3) +
+    (mesh.faceOffsets.size() + mesh.cornerVertices.size()) * sizeof(Index);
+}
+
+/// States that share an origin follow each other.
+std::size_t bytesOf(const std::vector<std::shared_ptr<const FlowState>>& states)
+{
+  std::size_t bytes = 0;
+  const SurfaceMesh* counted = nullptr;
+  for (const auto& state : states)
+  {
+    if (state)
+    {
+      bytes += bytesOf(*state);
+      bytes += state->origin.get() == counted ? 0 : bytesOf(*state->origin);
+      counted = state->origin.get();
+    }
+  }
+  return bytes;
 }
 
 } // namespace
@@ -93,13 +117,7 @@ void FlowSeries::keep(std::size_t i, const SurfaceFlow& flow)
 
 void FlowSeries::thinOut()
 {
-  const auto keptBytes = [this]()
-  {
-    const auto kept = std::count_if(
-      this->States.begin(), this->States.end(), [](const auto& state) { return state != nullptr; });
-    return static_cast<std::size_t>(kept) * bytesOf(*this->States.back());
-  };
-  while (keptBytes() > this->MemoryLimit && this->Stride < this->States.size())
+  while (bytesOf(this->States) > this->MemoryLimit && this->Stride < this->States.size())
   {
     this->Stride *= 2;
     const std::shared_ptr<const FlowState> last = this->States.back();

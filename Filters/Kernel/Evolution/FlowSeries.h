@@ -32,6 +32,7 @@ std::vector<int> publishedIterations(int steps, int smoothingSteps, int interval
  * A user looks at an evolution forwards, backwards and again; each look must not be a solve. The
  * series runs the flow once and keeps the published states. When they exceed the memory limit,
  * every second one is dropped; a dropped state is computed again from the nearest one before it.
+ * What remeshing gave to several states is kept, and counted, once.
  */
 class FlowSeries
 {

@@ -3,7 +3,7 @@
 
 #include "Evolution/FlowStepper.h"
 
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 #include "Mesh/VertexNormals.h"
 
 #include <utility>
@@ -11,8 +11,8 @@
 namespace evolving
 {
 
-FlowStepper::FlowStepper(SurfaceMesh start, std::shared_ptr<const ScalarImage> field,
-  const FlowOptions& options, double size, double timeStep, const Execution& execution)
+FlowStepper::FlowStepper(SurfaceMesh start, const ControlField& field, const FlowOptions& options,
+  double size, double timeStep, double smallestComponent, const Execution& execution)
   : Mesh(std::move(start))
   , Options(options)
   , Size(size)
@@ -20,11 +20,11 @@ FlowStepper::FlowStepper(SurfaceMesh start, std::shared_ptr<const ScalarImage> f
   , Topology(this->Mesh)
   , Curves(this->Mesh, this->Topology)
   , OnCurves(this->Curves.startPositions())
-  , Vanished(this->Mesh, this->Topology)
+  , Vanished(this->Mesh, this->Topology, smallestComponent)
   , Limiter(this->Mesh, this->Topology, angleWeightedNormals(this->Mesh, this->Topology, execution),
       this->Vanished)
   , Geometry(this->Topology)
-  , Field(std::move(field), options, execution)
+  , Field(field)
   , Tangential(this->Topology, this->Curves, options.redistribution, options.boundaryMode,
       options.solverTolerance)
   , NormalVelocity(this->Mesh.points.size())

@@ -22,7 +22,6 @@
 #include "Mesh/MeshTopology.h"
 #include "Mesh/SurfaceMesh.h"
 
-#include <memory>
 #include <vector>
 
 namespace evolving
@@ -43,17 +42,21 @@ class FlowStepper
 {
 public:
   /**
+   * @param field must outlive this object
    * @param options in absolute units
    * @param size a length: L
    * @param timeStep the length of advance() that velocities are limited for
+   * @param smallestComponent see VanishedComponents
    * @throws InputError
    */
-  FlowStepper(SurfaceMesh start, std::shared_ptr<const ScalarImage> field,
-    const FlowOptions& options, double size, double timeStep, const Execution& execution);
+  FlowStepper(SurfaceMesh start, const ControlField& field, const FlowOptions& options, double size,
+    double timeStep, double smallestComponent, const Execution& execution);
   FlowStepper(const FlowStepper&) = delete;
   FlowStepper& operator=(const FlowStepper&) = delete;
 
   const SurfaceMesh& mesh() const { return this->Mesh; }
+  /// The area of the smallest component at the start.
+  double smallestComponentArea() const { return this->Vanished.smallestStartArea(); }
   SurfacePosition position() const { return { this->Mesh.points, this->OnCurves }; }
   void setPosition(const SurfacePosition& position);
 
@@ -76,7 +79,6 @@ public:
   /// Of the last evaluation.
   FlowArrays arrays() const;
   const SurfaceGeometry& geometry() const { return this->Geometry; }
-  const std::vector<double>& distance() const { return this->Controls.value; }
   /// Of the last evaluation and of the last advance().
   int evaluationIterations() const { return this->Tangential.iterations(); }
   int advanceIterations() const { return this->Step.iterations(); }
@@ -106,7 +108,7 @@ private:
   VanishedComponents Vanished;
   StepLimiter Limiter;
   SurfaceGeometry Geometry;
-  ControlField Field;
+  const ControlField& Field;
   TangentialVelocity Tangential;
   EvolutionStep Step;
   ControlValues Controls;

@@ -4,7 +4,7 @@
 #include "Evolution/LengthRedistribution.h"
 
 #include "Evolution/EdgeChains.h"
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 #include "Evolution/SurfaceGeometry.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "Evolution/MoveCorrections.h"
 
 #include "Evolution/ElementShape.h"
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 
 #include <algorithm>
 #include <map>

@@ -5,7 +5,7 @@
 
 #include "Errors.h"
 #include "Evolution/Aggregation.h"
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 
 #include <Eigen/SparseCholesky>
 

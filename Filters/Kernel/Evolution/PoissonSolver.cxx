@@ -4,7 +4,7 @@
 #include "Evolution/PoissonSolver.h"
 
 #include "Errors.h"
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 
 #include <algorithm>
 

@@ -9,7 +9,7 @@
 #ifndef EVOLVING_SOLUTION_GUESS_H
 #define EVOLVING_SOLUTION_GUESS_H
 
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 #include "Execution.h"
 
 #include <utility>

@@ -3,7 +3,7 @@
 
 #include "Evolution/SparseMatrix.h"
 
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 
 namespace evolving
 {

@@ -4,7 +4,7 @@
 #include "Evolution/StateCheck.h"
 
 #include "Errors.h"
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 #include "Evolution/VanishedComponents.h"
 
 #include <sstream>

@@ -4,7 +4,7 @@
 #include "Evolution/StateMeasures.h"
 
 #include "Evolution/FiniteVolumes.h"
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 #include "Mesh/Angles.h"
 
 #include <algorithm>

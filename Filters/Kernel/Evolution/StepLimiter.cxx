@@ -5,7 +5,7 @@
 
 #include "Errors.h"
 #include "Evolution/MoveCorrections.h"
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 
 #include <algorithm>
 #include <sstream>

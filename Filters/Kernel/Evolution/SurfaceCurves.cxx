@@ -4,7 +4,7 @@
 #include "Evolution/SurfaceCurves.h"
 
 #include "Evolution/CurveEdges.h"
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 #include "Mesh/Angles.h"
 
 #include <algorithm>

@@ -16,11 +16,27 @@ struct SurfaceFlow::State : public FlowRun
   using FlowRun::FlowRun;
 };
 
+SurfaceMesh FlowState::mesh() const
+{
+  SurfaceMesh mesh = *this->origin;
+  mesh.points = this->points;
+  return mesh;
+}
+
 SurfaceFlow::SurfaceFlow(SurfaceMesh start, std::shared_ptr<const ScalarImage> field,
   const FlowOptions& options, const Execution& execution)
+  : SurfaceFlow(std::make_shared<const SurfaceMesh>(std::move(start)), std::move(field), nullptr,
+      options, execution)
 {
-  const FlowSetup setup = setUpFlow(start, field.get(), options);
-  this->Self = std::make_unique<State>(std::move(start), std::move(field), setup, execution);
+}
+
+SurfaceFlow::SurfaceFlow(std::shared_ptr<const SurfaceMesh> start,
+  std::shared_ptr<const ScalarImage> field, std::shared_ptr<Remesher> remesher,
+  const FlowOptions& options, const Execution& execution)
+{
+  const FlowSetup setup = setUpFlow(*start, field.get(), options);
+  this->Self =
+    std::make_unique<State>(start, std::move(field), std::move(remesher), setup, execution);
 }
 
 SurfaceFlow::~SurfaceFlow() = default;

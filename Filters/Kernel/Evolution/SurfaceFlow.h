@@ -11,7 +11,9 @@
 #define EVOLVING_SURFACE_FLOW_H
 
 #include "Evolution/FlowOptions.h"
+#include "Evolution/Remesher.h"
 #include "Evolution/ScalarImage.h"
+#include "Evolution/StallTest.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
 
@@ -49,17 +51,28 @@ struct FlowRecord
   double seconds = 0.0; ///< wall time of the step
 };
 
-/// A state of the flow with all that belongs to it; the faces are the start's.
+/// A state of the flow with all that belongs to it.
 struct FlowState
 {
+  /// The surface when it got its elements: the start, or as it was last remeshed. All states until
+  /// the next remeshing share it.
+  std::shared_ptr<const SurfaceMesh> origin;
   std::vector<Vec3> points;
   std::vector<double> curvePositions; ///< of boundary vertices that slide: for resume() only
   FlowArrays arrays;
   FlowRecord record;
+  StallTest stall; ///< for resume() only
+  bool hasConverged = false;
+
+  /// The origin's faces at the state's points.
+  SurfaceMesh mesh() const;
 };
 
 /**
- * Steps a surface through time. The connectivity stays; the sparse pattern is analysed once.
+ * Steps a surface through time. The connectivity stays, and the sparse pattern is analysed once,
+ * unless a remesher gives the surface new elements: after every remeshingInterval-th step,
+ * smoothing steps included, and after the step that ends the run. A state is what its step ended
+ * with after that; the arrays and the record are those of the new elements.
  * @code
  *   SurfaceFlow flow(start, field, options, execution);
  *   while (!flow.isFinished()) { flow.step(); use(flow.points(), flow.arrays(), flow.record()); }
@@ -72,6 +85,11 @@ public:
   /// @param field null for pure mean curvature flow. @throws InputError
   SurfaceFlow(SurfaceMesh start, std::shared_ptr<const ScalarImage> field,
     const FlowOptions& options, const Execution& execution = {});
+  /// @param start shared with the states until the first remeshing
+  /// @param remesher null for none
+  SurfaceFlow(std::shared_ptr<const SurfaceMesh> start, std::shared_ptr<const ScalarImage> field,
+    std::shared_ptr<Remesher> remesher, const FlowOptions& options,
+    const Execution& execution = {});
   ~SurfaceFlow();
   SurfaceFlow(SurfaceFlow&&) noexcept;
   SurfaceFlow& operator=(SurfaceFlow&&) noexcept;
@@ -83,7 +101,8 @@ public:
    * then the steps up to the first smoothing step repeat the state.
    */
   bool isFinished() const;
-  /// No vertex moved farther along its normal in a step than convergenceTolerance.
+  /// No vertex moved farther along its normal in a step than convergenceTolerance, or the farthest
+  /// one came no nearer to the target in stallSteps steps (looked at where remeshing is due).
   bool hasConverged() const;
   /// Empty, or one sentence that says at which step and why the run ended; that step is undone.
   const std::string& stopReason() const;
@@ -98,8 +117,8 @@ public:
   /// A copy of the current state.
   FlowState state() const;
   /**
-   * Goes on from a state of an equal flow. The steps after it agree with the first run's to the
-   * solver tolerance: warm starts are not part of a state.
+   * Goes on from a state of an equal flow, whatever its elements. The steps after it agree with
+   * the first run's to the solver tolerance: warm starts are not part of a state.
    */
   void resume(const FlowState& state);
   /// L of the relative units: the unit the options were scaled by; 1 when they are absolute.

@@ -3,7 +3,7 @@
 
 #include "Evolution/SurfaceGeometry.h"
 
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 #include "Mesh/VertexNormals.h"
 
 namespace evolving

@@ -5,7 +5,7 @@
 
 #include "Errors.h"
 #include "Evolution/ElementGuard.h"
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 #include "Evolution/StateMeasures.h"
 #include "Evolution/SubSteps.h"
 #include "Evolution/SurfaceCurves.h"

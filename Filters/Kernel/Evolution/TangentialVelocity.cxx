@@ -4,7 +4,7 @@
 #include "Evolution/TangentialVelocity.h"
 
 #include "Evolution/AngleRedistribution.h"
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 
 #include <algorithm>
 

@@ -3,16 +3,28 @@
 
 #include "Evolution/VanishedComponents.h"
 
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
+
+#include <algorithm>
 
 namespace evolving
 {
 
-VanishedComponents::VanishedComponents(const SurfaceMesh& start, const MeshTopology& topology)
+VanishedComponents::VanishedComponents(
+  const SurfaceMesh& start, const MeshTopology& topology, double smallestArea)
   : Topology(topology)
   , StartArea(this->areas(start))
   , IsVanished(at(topology.componentCount() > 1 ? topology.componentCount() : 0), 0)
 {
+  for (double& area : this->StartArea)
+  {
+    area = std::max(area, smallestArea);
+  }
+}
+
+double VanishedComponents::smallestStartArea() const
+{
+  return *std::min_element(this->StartArea.begin(), this->StartArea.end());
 }
 
 std::vector<double> VanishedComponents::areas(const SurfaceMesh& mesh) const

@@ -27,8 +27,16 @@ constexpr double SmallestAreaPart = 1e-8;
 class VanishedComponents
 {
 public:
-  /// @param topology must outlive this object
-  VanishedComponents(const SurfaceMesh& start, const MeshTopology& topology);
+  /**
+   * @param topology must outlive this object
+   * @param smallestArea that a component's first area counts as, if it is less: one that shrinks
+   * from remeshing to remeshing, with an ever smaller start, must vanish one day
+   */
+  VanishedComponents(
+    const SurfaceMesh& start, const MeshTopology& topology, double smallestArea = 0.0);
+
+  /// Of the smallest component at the start.
+  double smallestStartArea() const;
 
   void update(const SurfaceMesh& mesh);
   bool contain(Index vertex) const;

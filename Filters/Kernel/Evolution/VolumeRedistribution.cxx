@@ -4,7 +4,7 @@
 #include "Evolution/VolumeRedistribution.h"
 
 #include "Evolution/CurvatureDensity.h"
-#include "Evolution/ParallelLoops.h"
+#include "ParallelLoops.h"
 #include "Evolution/SurfaceGradient.h"
 
 #include <algorithm>

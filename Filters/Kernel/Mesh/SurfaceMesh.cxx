@@ -74,6 +74,16 @@ Index SurfaceMesh::addFace(const std::vector<Index>& vertices)
   return this->faceCount() - 1;
 }
 
+bool operator==(const SurfaceMesh& a, const SurfaceMesh& b)
+{
+  return a.points == b.points && haveEqualFaces(a, b);
+}
+
+bool haveEqualFaces(const SurfaceMesh& a, const SurfaceMesh& b)
+{
+  return a.faceOffsets == b.faceOffsets && a.cornerVertices == b.cornerVertices;
+}
+
 bool SurfaceMesh::hasOnlyTriangles() const
 {
   for (Index face = 0; face < this->faceCount(); ++face)

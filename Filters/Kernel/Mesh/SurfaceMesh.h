@@ -56,6 +56,10 @@ struct SurfaceMesh
   bool hasOnlyTriangles() const;
 };
 
+bool operator==(const SurfaceMesh& a, const SurfaceMesh& b);
+/// Do two meshes have equal faces, wherever their points are?
+bool haveEqualFaces(const SurfaceMesh& a, const SurfaceMesh& b);
+
 /// The box of the vertices that faces use; of all points when there is no face.
 Box boundingBox(const SurfaceMesh& mesh);
 

@@ -3,14 +3,12 @@
 
 #include "ShrinkWrap/SurfaceReport.h"
 
-#include "Distance/AABBTree.h"
 #include "Mesh/MeshQuality.h"
 #include "Mesh/SelfIntersections.h"
 #include "Mesh/TopologySummary.h"
 
 #include <algorithm>
-#include <cmath>
-#include <vector>
+#include <sstream>
 
 namespace evolving
 {
@@ -18,52 +16,104 @@ namespace evolving
 namespace
 {
 
-/// Points as triangles without extent, so that one tree serves both.
-SurfaceMesh asTriangles(const SurfaceMesh& target)
+/// A result with a smaller angle than this, in degrees, is no good for simulation.
+constexpr double QualityFloor = 20.0;
+/// A vertex that stays farther away than this many edge lengths has met a membrane.
+constexpr double MembraneEdges = 2.0;
+
+Vec3 middleOf(const SurfaceMesh& surface, Index face)
 {
-  SurfaceMesh triangles = target;
-  if (target.faceCount() == 0)
-  {
-    for (Index v = 0; v < target.vertexCount(); ++v)
-    {
-      triangles.addFace({ v, v, v });
-    }
-  }
-  return triangles;
+  return (surface.facePoint(face, 0) + surface.facePoint(face, 1) + surface.facePoint(face, 2)) /
+    3.0;
 }
 
-double largestDistance(
-  const SurfaceMesh& surface, const SurfaceMesh& target, double level, const Execution& execution)
+void findLargestDeviation(const SurfaceMesh& surface, const Deviation& deviation,
+  const Execution& execution, SurfaceReport& report)
 {
-  const AABBTree tree(asTriangles(target), execution.phase(0.0, 0.3));
   std::vector<double> distance(surface.points.size());
-  execution.phase(0.3, 1.0).forRangeReporting(surface.vertexCount(), Execution::MeshGrain,
+  execution.forRangeReporting(surface.vertexCount(), Execution::MeshGrain,
     [&](std::int64_t begin, std::int64_t end)
     {
       for (auto v = static_cast<std::size_t>(begin); v < static_cast<std::size_t>(end); ++v)
       {
-        const ClosestTriangle closest = tree.closest(surface.points[v]);
-        distance[v] = std::abs((closest.at.point - surface.points[v]).norm() - level);
+        distance[v] = deviation(surface.points[v]);
       }
     });
-  return distance.empty() ? 0.0 : *std::max_element(distance.begin(), distance.end());
+  const auto farthest = std::max_element(distance.begin(), distance.end());
+  if (farthest != distance.end())
+  {
+    report.maxDistance = *farthest;
+    report.maxDistancePlace = surface.points[static_cast<std::size_t>(farthest - distance.begin())];
+  }
+}
+
+void findSmallestAngle(const SurfaceMesh& surface, SurfaceReport& report)
+{
+  report.minAngle = surface.faceCount() > 0 ? 180.0 : 0.0;
+  for (Index face = 0; face < surface.faceCount(); ++face)
+  {
+    const double angle = smallestAngle(surface, face);
+    if (angle < report.minAngle)
+    {
+      report.minAngle = angle;
+      report.minAnglePlace = middleOf(surface, face);
+    }
+  }
 }
 
 } // namespace
 
 SurfaceReport examine(
-  const SurfaceMesh& surface, const SurfaceMesh& target, double level, const Execution& execution)
+  const SurfaceMesh& surface, const Deviation& deviation, const Execution& execution)
 {
   const TopologySummary topology = summarizeTopology(surface);
   SurfaceReport report;
   report.isClosed = topology.isClosed();
   report.isManifold = topology.isManifold() && topology.isOriented();
   report.genus = report.isClosed && report.isManifold ? topology.genus() : -1;
-  report.selfIntersections =
-    static_cast<Index>(selfIntersections(surface, execution.phase(0.0, 0.5)).size());
-  report.minAngle = smallestAngle(surface);
-  report.maxDistance = largestDistance(surface, target, level, execution.phase(0.5, 1.0));
+  const auto pairs = selfIntersections(surface, execution.phase(0.0, 0.5));
+  report.selfIntersections = static_cast<Index>(pairs.size());
+  if (!pairs.empty())
+  {
+    report.intersectionPlace = middleOf(surface, pairs.front().first);
+  }
+  findSmallestAngle(surface, report);
+  findLargestDeviation(surface, deviation, execution.phase(0.5, 1.0), report);
   return report;
+}
+
+std::vector<std::string> shortcomings(const SurfaceReport& report, double edgeLength)
+{
+  std::vector<std::string> sentences;
+  const auto say = [&sentences](const auto&... parts)
+  {
+    std::ostringstream sentence;
+    (sentence << ... << parts);
+    sentences.push_back(sentence.str());
+  };
+  if (!report.isClosed || !report.isManifold)
+  {
+    say("The result is not a closed manifold; use more SampleDimensions.");
+  }
+  if (report.selfIntersections > 0)
+  {
+    say("The result has ", report.selfIntersections, " pairs of triangles that intersect, one at (",
+      report.intersectionPlace.transpose(), "); use a smaller TargetEdgeLength.");
+  }
+  if (report.minAngle < QualityFloor)
+  {
+    say("The smallest angle of the result is ", report.minAngle, " degrees, below ", QualityFloor,
+      ", at (", report.minAnglePlace.transpose(), "); use a smaller TargetEdgeLength.");
+  }
+  if (report.maxDistance > MembraneEdges * edgeLength)
+  {
+    say("A point of the result at (", report.maxDistancePlace.transpose(), ") is ",
+      report.maxDistance, " away from where it should be, more than two edge lengths (",
+      2.0 * edgeLength,
+      "): a membrane was left over a hole or a deep concavity, or the distance grid is too coarse; "
+      "use the Isosurface start, a smaller GapSize or more SampleDimensions.");
+  }
+  return sentences;
 }
 
 } // namespace evolving

@@ -12,6 +12,11 @@
 
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
+#include "Types.h"
+
+#include <functional>
+#include <string>
+#include <vector>
 
 namespace evolving
 {
@@ -23,17 +28,28 @@ struct SurfaceReport
   Index selfIntersections = 0; ///< pairs of triangles
   Index genus = 0;             ///< of all components together; -1 when not closed or not manifold
   double minAngle = 0.0;       ///< degrees
-  double maxDistance = 0.0;    ///< of a vertex from the surface at `level` around the target
+  double maxDistance = 0.0;    ///< of a vertex from where it is meant to lie
+  Vec3 intersectionPlace = Vec3::Zero(); ///< in one of the intersecting triangles
+  Vec3 minAnglePlace = Vec3::Zero();     ///< the middle of that triangle
+  Vec3 maxDistancePlace = Vec3::Zero();  ///< that vertex
 };
+
+/// How far a point is from where the surface is meant to lie. Must not throw.
+using Deviation = std::function<double(const Vec3&)>;
 
 /**
  * @param surface triangles
- * @param target triangles or points
- * @param level the distance from the target at which the surface is meant to lie
  * @throws Cancelled
  */
-SurfaceReport examine(const SurfaceMesh& surface, const SurfaceMesh& target, double level,
-  const Execution& execution = {});
+SurfaceReport examine(
+  const SurfaceMesh& surface, const Deviation& deviation, const Execution& execution = {});
+
+/**
+ * One sentence for everything that a surface fit for simulation should have and this one has not:
+ * what, and where. Empty when all is well.
+ * @param edgeLength of its triangles
+ */
+std::vector<std::string> shortcomings(const SurfaceReport& report, double edgeLength);
 
 } // namespace evolving
 

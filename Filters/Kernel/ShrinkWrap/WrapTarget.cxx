@@ -3,13 +3,18 @@
 
 #include "ShrinkWrap/WrapTarget.h"
 
+#include "Distance/SignedDistance.h"
 #include "Errors.h"
-#include "StartSurface/Isosurface.h"
+#include "Mesh/TopologySummary.h"
+#include "ShrinkWrap/PointSurface.h"
+#include "ShrinkWrap/TightGrid.h"
+#include "StartSurface/GapClosing.h"
+#include "StartSurface/HoleChoice.h"
+#include "StartSurface/HoleFilling.h"
+#include "StartSurface/InsideSamples.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <vector>
 
 namespace evolving
 {
@@ -17,15 +22,22 @@ namespace evolving
 namespace
 {
 
-/// Sheets without an inside become walls of this thickness on either side, in edge lengths and in
-/// cells of the distance grid: thinner ones would fold (two layers of triangles closer than their
-/// size), or could not be told from the distance's samples.
+/// A start half an edge length away has the target's holes and handles, and is near enough to
+/// arrive without folds. Nearer than this many cells the grid would show.
+constexpr double StartPerEdge = 0.5;
+constexpr double StartPerCell = 0.8;
+/// Sheets that are reached from both sides become walls of this thickness on either side, in edge
+/// lengths: two layers of triangles closer than that would fold through each other.
 constexpr double WallPerEdge = 0.3;
-constexpr double WallPerCell = 0.75;
-/// A start surface has this many walls' thickness to evolve.
-constexpr double LeastOffsetPerWall = 1.5;
+/// Cracks up to this many edge lengths wider than the start level closes are looked for, in steps,
+/// and a target counts as closed when it encloses this part of what it encloses without cracks.
+constexpr double LargestCrackEdges = 2.0;
+constexpr double CrackStepEdges = 0.5;
+constexpr double ClosedPart = 0.5;
+/// Openings narrower than this many edge lengths are closed: elements cannot line them.
+constexpr double NarrowEdges = 6.0;
 
-void requireUsable(const SurfaceMesh& mesh, const Box& box, const ShrinkWrapOptions& options)
+void requireUsable(const SurfaceMesh& mesh, const Box& box)
 {
   validate(mesh);
   if (box.isEmpty() || !(box.diagonal().norm() > 0.0))
@@ -33,63 +45,70 @@ void requireUsable(const SurfaceMesh& mesh, const Box& box, const ShrinkWrapOpti
     throw InputError("The input is a single point or empty, expected a surface or points with an "
                      "extent; check the file.");
   }
-  for (const double length : { options.targetEdgeLength, options.gapSize, options.offsetDistance })
+}
+
+void requireArea(const WrapTarget& target)
+{
+  if (!(target.edgeLength > 0.0) || target.surface.faceCount() == 0)
   {
-    if (!std::isfinite(length) || length < 0.0)
-    {
-      std::ostringstream message;
-      message << "TargetEdgeLength, GapSize or OffsetDistance is " << length
-              << ", expected a finite length of at least 0; set 0 for an automatic one.";
-      throw InputError(message.str());
-    }
+    throw InputError("The input has no area, expected faces that are not all degenerate; repair "
+                     "it, or set TargetEdgeLength.");
   }
 }
 
-/// The grid around the target with room for a start surface `reach` away from it.
-DistanceGrid gridWithRoom(const Box& box, const std::array<int, 3>& dimensions, double reach)
+std::vector<float> distanceTo(
+  const SurfaceMesh& surface, const DistanceGrid& grid, SignMethod sign, const Execution& execution)
 {
-  constexpr double LeastPadding = 0.1;
-  const double needed = 1.5 * reach / box.sizes().maxCoeff();
-  return gridAround(box, dimensions, std::max(LeastPadding, needed));
+  SignedDistanceOptions options;
+  options.sign = sign;
+  return signedDistance(surface, grid, grid.extent, options, execution).distance;
 }
 
-/// Points have no area of their own; the surface around them has.
-double areaOf(const SurfaceMesh& mesh, const WrapTarget& target, const Execution& execution)
+/// Signs only where they are sure and cheap.
+SignMethod signFor(const SurfaceMesh& surface)
 {
-  if (mesh.faceCount() > 0)
-  {
-    return surfaceArea(mesh);
-  }
-  IsosurfaceOptions around;
-  around.isoValue = 2.0 * target.cellSize();
-  around.fillCavities = true;
-  return surfaceArea(isosurface(target.grid, target.distance.distance, around, execution));
+  const TopologySummary topology = summarizeTopology(surface);
+  const bool isSure = topology.isClosed() && topology.isManifold() && topology.components == 1;
+  return isSure ? SignMethod::Pseudonormal : SignMethod::Unsigned;
 }
 
-/// Two cells, an element, and between points three times their distance from each other.
-double defaultGap(const SurfaceMesh& mesh, const WrapTarget& target)
+std::vector<float> magnitudes(std::vector<float> values)
 {
-  const double gap = std::max(2.0 * target.cellSize(), target.edgeLength);
-  const double spacing = std::sqrt(target.area / mesh.vertexCount());
-  return mesh.faceCount() > 0 ? gap : std::max(gap, 3.0 * spacing);
-}
-
-/// An inside thinner than a wall is a sheet's that winds about itself: it counts as none.
-double wallOf(const WrapTarget& target)
-{
-  const double wall = std::max(WallPerEdge * target.edgeLength, WallPerCell * target.cellSize());
-  const std::vector<float>& distance = target.distance.distance;
-  const double deepest = *std::min_element(distance.begin(), distance.end());
-  return deepest < -wall ? 0.0 : wall;
-}
-
-/// A sheet is the same from both sides.
-void dropSigns(std::vector<float>& distance)
-{
-  for (float& value : distance)
+  for (float& value : values)
   {
     value = std::abs(value);
   }
+  return values;
+}
+
+/// The volume that a ball of a diameter cannot come into, beside what it touches.
+double enclosedBy(const WrapTarget& target, double diameter, const Execution& execution)
+{
+  InsideSamples samples(target.grid, target.distance, 0.5 * diameter, execution);
+  return static_cast<double>(fillCavities(samples, execution)) * target.grid.spacing.prod();
+}
+
+/**
+ * The smallest gap to close for which the target has the inside that it has for larger ones: what
+ * the start level lets in by a crack, as beside a lid, is meant to be inside.
+ */
+double gapThatCloses(const WrapTarget& target, const Execution& execution)
+{
+  const double least = 2.0 * target.startLevel;
+  const double most = least + LargestCrackEdges * target.edgeLength;
+  const double enclosed = enclosedBy(target, most, execution);
+  double gap = least;
+  while (gap < most && enclosedBy(target, gap, execution) < ClosedPart * enclosed)
+  {
+    gap += CrackStepEdges * target.edgeLength;
+  }
+  return gap < most ? gap : (enclosed > 0.0 ? most : least);
+}
+
+SurfaceMesh withoutHoles(const SurfaceMesh& surface, double gapSize, double edgeLength)
+{
+  const std::vector<BoundaryLoop> loops = boundaryLoops(surface);
+  return fillHoles(surface, holesToFill(surface, loops, gapSize, NarrowEdges * edgeLength));
 }
 
 } // namespace
@@ -97,28 +116,31 @@ void dropSigns(std::vector<float>& distance)
 WrapTarget describeTarget(
   const SurfaceMesh& mesh, const ShrinkWrapOptions& options, const Execution& execution)
 {
+  checkOptions(options);
   WrapTarget target;
   target.box = boundingBox(mesh);
-  requireUsable(mesh, target.box, options);
-  const double reach = options.offsetDistance + 0.5 * options.gapSize;
-  target.grid = gridWithRoom(target.box, options.sampleDimensions, reach);
-  target.distance =
-    signedDistance(mesh, target.grid, target.grid.extent, {}, execution.phase(0.0, 0.8));
-  target.area = areaOf(mesh, target, execution.phase(0.8, 1.0));
+  requireUsable(mesh, target.box);
+  const bool isPointSet = mesh.faceCount() == 0;
+  target.surface = isPointSet ? surfaceAmidst(mesh, options, execution.phase(0.0, 0.4))
+                              : weldCoincidentPoints(mesh);
+  target.area = surfaceArea(target.surface);
   target.edgeLength =
     options.targetEdgeLength > 0.0 ? options.targetEdgeLength : defaultEdgeLength(target.area);
-  if (!(target.edgeLength > 0.0))
-  {
-    throw InputError("The input has no area, expected faces that are not all degenerate; repair "
-                     "it, or set TargetEdgeLength.");
-  }
-  target.wall = wallOf(target);
-  if (target.wall > 0.0)
-  {
-    dropSigns(target.distance.distance);
-  }
-  const double gap = options.gapSize > 0.0 ? options.gapSize : defaultGap(mesh, target);
-  target.offset = std::max(options.offsetDistance + 0.5 * gap, LeastOffsetPerWall * target.wall);
+  requireArea(target);
+  const double gap = isPointSet ? 0.0 : options.gapSize;
+  target.surface = withoutHoles(target.surface, gap, target.edgeLength);
+  target.offset = options.offsetDistance;
+  target.wall = WallPerEdge * target.edgeLength;
+  const double room = target.offset + std::max(LargestCrackEdges * target.edgeLength, 0.5 * gap);
+  target.grid = tightGrid(target.box, options.sampleDimensions, room);
+  target.startLevel =
+    target.offset + std::max(StartPerEdge * target.edgeLength, StartPerCell * target.cellSize());
+  target.signedDistance =
+    distanceTo(target.surface, target.grid, signFor(target.surface), execution.phase(0.5, 0.8));
+  target.distance = magnitudes(target.signedDistance);
+  const double closed = gap > 0.0 ? gap : gapThatCloses(target, execution.phase(0.8, 0.8));
+  target.startField =
+    closeGaps(target.grid, target.distance, target.startLevel, closed, execution.phase(0.8, 1.0));
   return target;
 }
 

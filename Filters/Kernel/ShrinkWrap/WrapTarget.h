@@ -3,35 +3,47 @@
 
 /**
  * @file
- * What shrink-wrapping has to know of its target: the distance to it, and the lengths that follow.
+ * What shrink-wrapping has to know of its target: the surface to lie on, the distance to it, and
+ * the lengths that follow.
  */
 
 #ifndef EVOLVING_WRAP_TARGET_H
 #define EVOLVING_WRAP_TARGET_H
 
 #include "Distance/DistanceGrid.h"
-#include "Distance/SignedDistance.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
-#include "ShrinkWrap/ShrinkWrap.h"
+#include "ShrinkWrap/ShrinkWrapOptions.h"
+
+#include <vector>
 
 namespace evolving
 {
 
 struct WrapTarget
 {
-  Box box;
-  DistanceGrid grid;
-  SignedDistanceResult distance; ///< without signs where the target has no inside
-  double area = 0.0;             ///< of the target's faces, or of the surface around its points
-  double edgeLength = 0.0;
-  double wall = 0.0;   ///< half the thickness of a sheet without an inside; 0 with one
-  double offset = 0.0; ///< of the start surface from the target
+  Box box;                           ///< of the input
+  SurfaceMesh surface;               ///< triangles: the input's, and caps on its holes
+  DistanceGrid grid;                 ///< with room for the start surface
+  std::vector<float> distance;       ///< from the surface, without sign
+  std::vector<float> signedDistance; ///< the same as far as the target lets tell its sides
+  std::vector<float>
+    startField;            ///< zero on the start surface, gaps closed, negative towards the target
+  double area = 0.0;       ///< of the surface
+  double edgeLength = 0.0; ///< of the result
+  double offset = 0.0;     ///< of the result from the surface
+  double wall = 0.0;       ///< half the thickness of what becomes of sheets
+  double startLevel = 0.0; ///< of the start from the surface
 
   double cellSize() const { return this->grid.spacing.maxCoeff(); }
 };
 
-/// @throws InputError as prepareShrinkWrap(). @throws Cancelled
+/**
+ * @param mesh triangles in any state, or points only; not empty
+ * @throws InputError for a target without extent, coordinates that are not finite, or options out
+ * of range
+ * @throws Cancelled
+ */
 WrapTarget describeTarget(
   const SurfaceMesh& mesh, const ShrinkWrapOptions& options, const Execution& execution);
 

@@ -36,6 +36,8 @@ TEST(FlowOptions, ValuesOutOfRangeAreRefused)
     [](FlowOptions& o) { o.smoothingDecay = -1.0; },
     [](FlowOptions& o) { o.surfaceGuard = 0.5; },
     [](FlowOptions& o) { o.convergenceTolerance = -1.0; },
+    [](FlowOptions& o) { o.stallSteps = -1; },
+    [](FlowOptions& o) { o.remeshingInterval = 0; },
     [](FlowOptions& o) { o.solverTolerance = 0.0; },
     [](FlowOptions& o) { o.solverTolerance = 0.5; },
     [](FlowOptions& o) { o.redistribution.volume = -1.0; },
@@ -59,6 +61,12 @@ TEST(FlowOptions, EqualOnlyWhenEverythingIs)
   EXPECT_FALSE(a == b);
   b = a;
   b.solverTolerance = 1e-9;
+  EXPECT_FALSE(a == b);
+  b = a;
+  b.stallSteps = 3;
+  EXPECT_FALSE(a == b);
+  b = a;
+  b.remeshingInterval = 2;
   EXPECT_FALSE(a == b);
 }
 

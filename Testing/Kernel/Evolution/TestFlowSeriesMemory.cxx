@@ -6,6 +6,7 @@
 #include "Evolution/FlowSeries.h"
 
 #include "Evolution/EvolutionShapes.h"
+#include "Evolution/Remeshers.h"
 
 #include <gtest/gtest.h>
 
@@ -52,7 +53,8 @@ struct Memory
 };
 
 /// Of a flow with 2562 vertices, which publishes every interval-th of its 150 steps.
-Memory memoryOfASeries(double limit, int interval)
+Memory memoryOfASeries(
+  double limit, int interval, const std::shared_ptr<Remesher>& remesher = nullptr)
 {
   FlowOptions options;
   options.relativeUnits = false;
@@ -66,7 +68,7 @@ Memory memoryOfASeries(double limit, int interval)
   const Execution watched(
     nullptr, [&peak](double) { peak = std::max(peak, bytesInUse()); }, nullptr);
   const FlowSeries series([=](const Execution& host)
-    { return SurfaceFlow(*start, field, options, host); },
+    { return SurfaceFlow(start, field, remesher, options, host); },
     publishedIterations(Steps, 0, interval), static_cast<std::size_t>(limit * MiB), watched);
   EXPECT_EQ(series.lastIteration(), Steps);
   return { (bytesInUse() - before) / MiB, (peak - before) / MiB };
@@ -104,6 +106,20 @@ TEST(FlowSeriesMemory, TheLimitHoldsDuringTheSolveToo)
     EXPECT_GT(series.held, 0.45 * limit) << limit;
     // One state more is there before they are thinned out, as many as the ends' peak has.
     EXPECT_LT(series.peak, ends.peak + limit + 0.1) << limit;
+  }
+}
+
+TEST(FlowSeriesMemory, TheLimitHoldsWithNewElementsInEveryStep)
+{
+  if (!allocatorCounts())
+  {
+    GTEST_SKIP() << "this allocator does not count";
+  }
+  for (const double limit : { 4.0, 16.0 })
+  {
+    const Memory series = memoryOfASeries(limit, 1, remeshers::renumberer());
+    EXPECT_LT(series.held, limit + 0.1) << limit;
+    EXPECT_GT(series.held, 0.45 * limit) << limit;
   }
 }
 

@@ -7,16 +7,25 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace
 {
 
 using namespace evolving;
 
+/// From a sphere about the origin.
+Deviation fromSphere(double radius)
+{
+  return [radius](const Vec3& point) { return std::abs(point.norm() - radius); };
+}
+
 TEST(SurfaceReport, OfASphereInsideAnother)
 {
-  const SurfaceReport report = examine(icosphere(3, 0.9), icosphere(5), 0.0);
+  const SurfaceReport report = examine(icosphere(3, 0.9), fromSphere(1.0));
   EXPECT_TRUE(report.isClosed);
   EXPECT_TRUE(report.isManifold);
   EXPECT_EQ(report.selfIntersections, 0);
@@ -25,22 +34,17 @@ TEST(SurfaceReport, OfASphereInsideAnother)
   EXPECT_NEAR(report.maxDistance, 0.1, 0.002);
 }
 
-TEST(SurfaceReport, MeasuresFromTheLevel)
-{
-  EXPECT_LT(examine(icosphere(3, 1.25), icosphere(5), 0.25).maxDistance, 0.002);
-}
-
 TEST(SurfaceReport, FindsAHoleAndAFlippedFace)
 {
   SurfaceMesh open = icosphere(2);
   open.cornerVertices.resize(open.cornerVertices.size() - 3);
   open.faceOffsets.pop_back();
-  const SurfaceReport ofOpen = examine(open, icosphere(2), 0.0);
+  const SurfaceReport ofOpen = examine(open, fromSphere(1.0));
   EXPECT_FALSE(ofOpen.isClosed);
   EXPECT_EQ(ofOpen.genus, -1);
   SurfaceMesh flipped = icosphere(2);
   std::swap(flipped.cornerVertices[0], flipped.cornerVertices[1]);
-  EXPECT_FALSE(examine(flipped, icosphere(2), 0.0).isManifold);
+  EXPECT_FALSE(examine(flipped, fromSphere(1.0)).isManifold);
 }
 
 TEST(SurfaceReport, CountsIntersections)
@@ -48,14 +52,22 @@ TEST(SurfaceReport, CountsIntersections)
   SurfaceMesh dented = icosphere(3);
   // A vertex pulled through the far side.
   dented.points[20] *= -1.2;
-  EXPECT_GT(examine(dented, icosphere(3), 0.0).selfIntersections, 0);
+  EXPECT_GT(examine(dented, fromSphere(1.0)).selfIntersections, 0);
 }
 
-TEST(SurfaceReport, TakesPoints)
+TEST(SurfaceReport, SaysWhatIsWrongAndWhere)
 {
-  SurfaceMesh points;
-  points.points = icosphere(4).points;
-  EXPECT_LT(examine(icosphere(4), points, 0.0).maxDistance, 1e-12);
+  EXPECT_TRUE(shortcomings(examine(icosphere(3), fromSphere(1.0)), 0.15).empty());
+  SurfaceMesh spiked = icosphere(3);
+  spiked.points[20] *= 3.0;
+  const SurfaceReport report = examine(spiked, fromSphere(1.0));
+  EXPECT_NEAR(report.maxDistance, 2.0, 1e-12);
+  EXPECT_EQ(report.maxDistancePlace, spiked.points[20]);
+  EXPECT_LT(report.minAngle, 20.0);
+  const std::vector<std::string> sentences = shortcomings(report, 0.15);
+  ASSERT_EQ(sentences.size(), 2u);
+  EXPECT_NE(sentences[0].find("smallest angle"), std::string::npos);
+  EXPECT_NE(sentences[1].find("membrane"), std::string::npos);
 }
 
 } // namespace

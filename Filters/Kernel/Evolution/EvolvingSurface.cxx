@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Evolution/EvolvingSurface.h"
+
+#include "Errors.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace evolving
+{
+
+EvolvingSurface::EvolvingSurface(std::shared_ptr<const SurfaceMesh> start,
+  std::shared_ptr<const ScalarImage> field, std::shared_ptr<Remesher> remesher,
+  const FlowSetup& setup, const Execution& execution)
+  : Setup(setup)
+  , Check(*start, field ? field->box() : Box(), setup.options.surfaceGuard)
+  , Field(std::move(field), setup.options, execution)
+  , NewElements(std::move(remesher))
+{
+  this->setElements(std::move(start), execution);
+  this->SmallestComponent = this->Stepper->smallestComponentArea();
+}
+
+void EvolvingSurface::setElements(
+  std::shared_ptr<const SurfaceMesh> origin, const Execution& execution)
+{
+  this->Stepper = std::make_unique<FlowStepper>(*origin, this->Field, this->Setup.options,
+    this->Setup.size, this->Setup.parts.timeStep, this->SmallestComponent, execution);
+  this->Origin = std::move(origin);
+  this->HasVelocities = false;
+}
+
+void EvolvingSurface::setPlace(const SurfacePlace& place, const Execution& execution)
+{
+  if (place.origin != this->Origin && !(*place.origin == *this->Origin))
+  {
+    this->setElements(place.origin, execution);
+  }
+  this->Origin = place.origin; // states that have it share it again
+  this->Stepper->setPosition(place.position);
+  this->HasVelocities = false;
+}
+
+void EvolvingSurface::evaluate(int iteration, const Execution& execution)
+{
+  const FlowOptions& o = this->Setup.options;
+  if (o.isSmoothing(iteration))
+  {
+    const int k = iteration - o.numberOfSteps;
+    this->Stepper->evaluateSmoothing(
+      smoothingControl(o.smoothingSpeed, o.smoothingDecay, k), execution);
+  }
+  else
+  {
+    this->Stepper->evaluateFlow(execution);
+  }
+  this->HasVelocities = true;
+  this->SolverIterations += this->Stepper->evaluationIterations();
+}
+
+void EvolvingSurface::move(int iteration, int parts, const Execution& execution)
+{
+  const double tau = this->Setup.options.timeStep / parts;
+  const std::vector<Vec3> before = this->mesh().points;
+  for (int part = 0; part < parts; ++part)
+  {
+    const double done = static_cast<double>(part) / parts;
+    const Execution now = execution.phase(done, done + 1.0 / parts);
+    now.report(0.0);
+    if (!this->HasVelocities)
+    {
+      this->evaluate(iteration, now.phase(0.0, 0.5));
+    }
+    this->HasVelocities = false;
+    this->Stepper->advance(tau, now.phase(0.5, 1.0));
+    this->SolverIterations += this->Stepper->advanceIterations();
+    this->Check.require(this->mesh(), now);
+    this->Stepper->limitLastMove(before, now);
+  }
+}
+
+void EvolvingSurface::remesh(bool isLast, const Execution& execution)
+{
+  if (!this->NewElements)
+  {
+    return;
+  }
+  const std::vector<double> distance =
+    this->Field.valuesAt(this->mesh().points, execution.phase(0.0, 0.1));
+  std::optional<SurfaceMesh> remeshed = this->NewElements->remesh(
+    { this->mesh(), this->Origin->points, distance, isLast }, execution.phase(0.1, 0.8));
+  if (!remeshed)
+  {
+    return;
+  }
+  try
+  {
+    validate(*remeshed);
+    this->setElements(
+      std::make_shared<const SurfaceMesh>(std::move(*remeshed)), execution.phase(0.8, 0.9));
+  }
+  catch (const InputError& error)
+  {
+    throw SolverError(
+      std::string("remeshing made no surface that can be evolved: ") + error.what());
+  }
+  this->Check.require(this->mesh(), execution.phase(0.9, 1.0));
+}
+
+} // namespace evolving

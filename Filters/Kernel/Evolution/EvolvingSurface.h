@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * A surface that moves step by step and may get new elements between the steps.
+ */
+
+#ifndef EVOLVING_EVOLVING_SURFACE_H
+#define EVOLVING_EVOLVING_SURFACE_H
+
+#include "Evolution/ControlFunctions.h"
+#include "Evolution/FlowSetup.h"
+#include "Evolution/FlowStepper.h"
+#include "Evolution/Remesher.h"
+#include "Evolution/StateCheck.h"
+#include "Evolution/SurfaceFlow.h"
+#include "Execution.h"
+
+#include <memory>
+#include <vector>
+
+namespace evolving
+{
+
+/// Where a surface is, and with which elements.
+struct SurfacePlace
+{
+  std::shared_ptr<const SurfaceMesh> origin; ///< see FlowState::origin
+  SurfacePosition position;
+};
+
+/**
+ * Owns the stepper of the current elements, and replaces it when they change: reference normals,
+ * boundary curves and components are those of the new surface, and the solvers start afresh.
+ * What belongs to the run stays: the field, the guard's box and the smallest area that counts.
+ */
+class EvolvingSurface
+{
+public:
+  /**
+   * @param field may be null
+   * @param remesher may be null: the elements stay
+   * @throws InputError
+   */
+  EvolvingSurface(std::shared_ptr<const SurfaceMesh> start,
+    std::shared_ptr<const ScalarImage> field, std::shared_ptr<Remesher> remesher,
+    const FlowSetup& setup, const Execution& execution);
+
+  const SurfaceMesh& mesh() const { return this->Stepper->mesh(); }
+  /// Of the last evaluation.
+  FlowArrays arrays() const { return this->Stepper->arrays(); }
+
+  SurfacePlace place() const { return { this->Origin, this->Stepper->position() }; }
+  void setPlace(const SurfacePlace& place, const Execution& execution);
+
+  /// Computes the velocities of the step after an iteration. @throws SolverError, Cancelled
+  void evaluate(int iteration, const Execution& execution);
+  /// One time step, in equal parts. @throws SolverError, Cancelled
+  void move(int iteration, int parts, const Execution& execution);
+  /**
+   * Asks the remesher, if there is one, for new elements.
+   * @param isLast the flow ends here
+   * @throws SolverError when they make no surface that can be evolved
+   * @throws Cancelled
+   */
+  void remesh(bool isLast, const Execution& execution);
+
+  /// Since the last reset.
+  int solverIterations() const { return this->SolverIterations; }
+  void resetSolverIterations() { this->SolverIterations = 0; }
+
+private:
+  void setElements(std::shared_ptr<const SurfaceMesh> origin, const Execution& execution);
+
+  FlowSetup Setup;
+  StateCheck Check;
+  ControlField Field;
+  std::shared_ptr<Remesher> NewElements;
+  std::shared_ptr<const SurfaceMesh> Origin;
+  double SmallestComponent = 0.0; ///< area of one at the start
+  std::unique_ptr<FlowStepper> Stepper;
+  bool HasVelocities = false; ///< the stepper's are those of its position
+  int SolverIterations = 0;
+};
+
+} // namespace evolving
+
+#endif

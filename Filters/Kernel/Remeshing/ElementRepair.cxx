@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Remeshing/ElementRepair.h"
+
+#include "ParallelLoops.h"
+#include "Remeshing/EdgeCollapsing.h"
+#include "Remeshing/FaceShape.h"
+#include "Remeshing/StarOptimization.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace evolving
+{
+
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+/// A try must raise the smallest angle by so much, in degrees.
+constexpr double LeastGain = 0.3;
+/// Stars are improved up to this angle, and for so many rounds, after each try.
+constexpr double WantedAngle = 46.0;
+constexpr int StarRounds = 3;
+/// More bad triangles than this are no place to repair but a surface to remesh.
+constexpr std::size_t MostFaces = 300;
+
+double angleOf(const EditableSurface& surface, Index f)
+{
+  const double cosine =
+    cosineOfSmallestAngle(surface.corner(f, 0), surface.corner(f, 1), surface.corner(f, 2));
+  return std::acos(std::min(1.0, cosine)) * 180.0 / Pi;
+}
+
+/// The vertices within some rings of a few, in ascending order.
+std::vector<Index> ringsAround(
+  const EditableSurface& surface, std::vector<Index> vertices, int rings)
+{
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    std::vector<Index> more = vertices;
+    for (const Index v : vertices)
+    {
+      surface.forEachNeighbour(v, [&more](Index u) { more.push_back(u); });
+    }
+    std::sort(more.begin(), more.end());
+    more.erase(std::unique(more.begin(), more.end()), more.end());
+    vertices = std::move(more);
+  }
+  return vertices;
+}
+
+double smallestAngleAt(const EditableSurface& surface, const std::vector<Index>& vertices)
+{
+  double smallest = 60.0;
+  for (const Index v : vertices)
+  {
+    surface.forEachOutgoing(v,
+      [&](Index e)
+      { smallest = std::min(smallest, angleOf(surface, EditableSurface::faceOf(e))); });
+  }
+  return smallest;
+}
+
+/// The faces with an angle below a limit, the worst first.
+std::vector<std::pair<double, Index>> badFaces(const EditableSurface& surface, double degrees)
+{
+  std::vector<std::pair<double, Index>> faces;
+  for (Index f = 0; f < surface.faceSlots(); ++f)
+  {
+    if (surface.hasFace(f))
+    {
+      const double angle = angleOf(surface, f);
+      if (angle < degrees)
+      {
+        faces.emplace_back(angle, f);
+      }
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+class Repair
+{
+public:
+  Repair(EditableSurface& surface, const ReferenceSurface& reference)
+    : Surface(surface)
+    , Reference(reference)
+  {
+  }
+
+  /// @return whether the place of the face is better now
+  bool run(Index face)
+  {
+    this->Corners = { this->Surface.from(3 * face), this->Surface.from(3 * face + 1),
+      this->Surface.from(3 * face + 2) };
+    const EditableSurface before = this->Surface;
+    EditableSurface best = before;
+    double bestAngle = smallestAngleAt(before, ringsAround(before, this->Corners, 2)) + LeastGain;
+    bool isBetter = false;
+    const auto attempt = [&](const std::function<bool()>& operation)
+    {
+      if (operation())
+      {
+        const double angle = this->improvedAngle();
+        if (angle > bestAngle)
+        {
+          bestAngle = angle;
+          best = this->Surface;
+          isBetter = true;
+        }
+      }
+      this->Surface = before;
+    };
+    for (Index k = 0; k < 3; ++k)
+    {
+      const Index e = 3 * face + k;
+      attempt([&] { return this->flip(e); });
+      attempt([&] { return this->collapse(e); });
+    }
+    attempt([&] { return this->splitLongest(face); });
+    this->Surface = std::move(best);
+    return isBetter;
+  }
+
+private:
+  bool flip(Index e)
+  {
+    if (!this->Surface.canFlip(e))
+    {
+      return false;
+    }
+    this->Surface.flip(e);
+    return true;
+  }
+
+  bool collapse(Index e)
+  {
+    CollapseGuards guards;
+    guards.leastQuality = 0.0;
+    return collapseEdge(this->Surface, e, guards);
+  }
+
+  bool splitLongest(Index face)
+  {
+    Index longest = 3 * face;
+    for (Index k = 1; k < 3; ++k)
+    {
+      longest =
+        this->Surface.length(3 * face + k) > this->Surface.length(longest) ? 3 * face + k : longest;
+    }
+    if (this->Surface.isFeature(longest) || this->Surface.isLockedFace(face))
+    {
+      return false;
+    }
+    const Vec3 middle = 0.5 *
+      (this->Surface.point(this->Surface.from(longest)) +
+        this->Surface.point(this->Surface.to(longest)));
+    this->Surface.split(longest, middle);
+    return true;
+  }
+
+  /// The smallest angle around, after the stars there have been improved.
+  double improvedAngle()
+  {
+    std::vector<Index> left;
+    for (const Index v : this->Corners)
+    {
+      if (this->Surface.hasVertex(v))
+      {
+        left.push_back(v);
+      }
+    }
+    if (left.empty())
+    {
+      return 0.0;
+    }
+    const std::vector<Index> around = ringsAround(this->Surface, left, 2);
+    optimizeStarsOf(this->Surface, this->Reference, around, WantedAngle, StarRounds);
+    return smallestAngleAt(this->Surface, around);
+  }
+
+  EditableSurface& Surface;
+  const ReferenceSurface& Reference;
+  std::vector<Index> Corners;
+};
+
+} // namespace
+
+Index repairElements(EditableSurface& surface, const ReferenceSurface& reference, double degrees,
+  const Execution& execution)
+{
+  surface.compact();
+  const auto faces = badFaces(surface, degrees);
+  Index repaired = 0;
+  if (faces.size() > MostFaces)
+  {
+    return 0;
+  }
+  for (const auto& [angle, face] : faces)
+  {
+    execution.report(0.0);
+    // An earlier repair may have been enough, or have taken the face away.
+    if (surface.hasFace(face) && angleOf(surface, face) < degrees &&
+      Repair(surface, reference).run(face))
+    {
+      ++repaired;
+    }
+  }
+  surface.compact();
+  return repaired;
+}
+
+} // namespace evolving

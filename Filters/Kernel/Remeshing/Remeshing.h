@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * New elements for a surface: edges as long as they should be, and nearly equilateral triangles.
+ */
+
+#ifndef EVOLVING_REMESHING_H
+#define EVOLVING_REMESHING_H
+
+#include "Execution.h"
+#include "Remeshing/EdgeCollapsing.h"
+#include "Remeshing/EditableSurface.h"
+#include "Remeshing/ReferenceSurface.h"
+
+namespace evolving
+{
+
+/// Edges between these ratios to their size stay: neither half is nearer to it than the whole.
+struct RemeshingOptions
+{
+  double longest = 4.0 / 3.0;
+  double shortest = 4.0 / 5.0;
+  int relaxations = 3; ///< after each pass
+  double damping = 0.7;
+  CollapseGuards guards;
+};
+
+/**
+ * One pass: long edges are split, short ones collapsed, edges flipped for even valences, and
+ * vertices relaxed along the reference (Botsch, Kobbelt, *A Remeshing Approach to Multiresolution
+ * Modeling*, 2004). Sizes must be set. Unused vertices and faces are gone afterwards.
+ */
+void remeshOnce(EditableSurface& surface, const ReferenceSurface& reference,
+  const RemeshingOptions& options, const Execution& execution = {});
+
+/// A pass without new vertices: vertices of few neighbours vanish, edges flip for better angles.
+void polishOnce(EditableSurface& surface, const ReferenceSurface& reference,
+  const RemeshingOptions& options, const Execution& execution = {});
+
+} // namespace evolving
+
+#endif

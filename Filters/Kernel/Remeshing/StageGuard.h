@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * Work on a surface that must not make it run through itself.
+ */
+
+#ifndef EVOLVING_STAGE_GUARD_H
+#define EVOLVING_STAGE_GUARD_H
+
+#include "Execution.h"
+#include "Remeshing/EditableSurface.h"
+#include "Types.h"
+
+#include <functional>
+#include <vector>
+
+namespace evolving
+{
+
+/// Changes a surface in any way that leaves locked faces alone (EditableSurface::setLocked()).
+using RemeshingStage = std::function<void(EditableSurface& surface)>;
+
+/**
+ * Runs a stage on a surface without self-intersections. Where the stage makes some, the surface
+ * goes back to what it was there, is locked within a few sizes around, and the stage runs again;
+ * at last the stage is left out altogether. So the surface has no self-intersections afterwards.
+ * Locks of the stage are released at the end.
+ * @return the number of pairs of triangles that the first run made intersect
+ * @throws Cancelled
+ */
+Index runGuarded(
+  EditableSurface& surface, const RemeshingStage& stage, const Execution& execution = {});
+
+/**
+ * Takes vertices of intersecting triangles, and if need be more and more around them, back to
+ * where they were.
+ * @param before one point per vertex, without intersections
+ * @return the number of vertices taken back
+ * @throws Cancelled
+ */
+Index undoIntersections(
+  SurfaceMesh& mesh, const std::vector<Vec3>& before, const Execution& execution = {});
+
+} // namespace evolving
+
+#endif

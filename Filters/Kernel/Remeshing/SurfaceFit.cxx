@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Remeshing/SurfaceFit.h"
+
+#include "ParallelLoops.h"
+#include "Remeshing/GuardedMove.h"
+
+#include <Eigen/Dense>
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace evolving
+{
+
+namespace
+{
+
+/// No vertex moves farther than this fraction of its size at once.
+constexpr double LongestMove = 0.25;
+/// A pull towards staying, relative to the data: where the samples say nothing it decides.
+constexpr double Inertia = 1e-3;
+constexpr double SolverTolerance = 1e-4;
+
+using Mat3 = Eigen::Matrix3d;
+using Mat9 = Eigen::Matrix<double, 9, 9>;
+using Vec9 = Eigen::Matrix<double, 9, 1>;
+
+/// A face's part of the normal equations, in the moves of its three vertices.
+struct FaceTerms
+{
+  Mat9 matrix = Mat9::Zero();
+  Vec9 rightSide = Vec9::Zero();
+};
+
+class Fit
+{
+public:
+  Fit(EditableSurface& surface, const ReferenceSurface& reference, double tangentialInertia,
+    const Execution& execution)
+    : Surface(surface)
+    , Reference(reference)
+    , Run(execution)
+    , TangentialInertia(tangentialInertia)
+    , Directions(std::isfinite(tangentialInertia) ? 3 : 1)
+    , Frames(at(surface.vertexSlots()), Mat3::Zero())
+    , Unknown(at(surface.vertexSlots()), NoIndex)
+  {
+    for (Index v = 0; v < surface.vertexSlots(); ++v)
+    {
+      if (surface.hasVertex(v) && !surface.isPinned(v) && surface.featureEdges(v) == 0)
+      {
+        this->Unknown[at(v)] = this->Unknowns;
+        this->Unknowns += this->Directions;
+      }
+    }
+  }
+
+  void iterate(double damping)
+  {
+    this->updateFrames();
+    std::vector<FaceTerms> terms(at(this->Surface.faceSlots()));
+    this->Run.forRange(this->Surface.faceSlots(), Execution::MeshGrain,
+      [&](std::int64_t begin, std::int64_t end)
+      {
+        for (Index f = static_cast<Index>(begin); f < static_cast<Index>(end); ++f)
+        {
+          terms[at(f)] = this->termsOf(f);
+        }
+      });
+    this->move(this->solve(terms), damping);
+  }
+
+private:
+  /// The columns are the normal and two tangents; an orthogonal matrix.
+  void updateFrames()
+  {
+    forEachIndex(this->Run, this->Surface.vertexSlots(),
+      [this](Index v)
+      {
+        if (this->Unknown[at(v)] != NoIndex)
+        {
+          const Vec3 normal = this->Surface.normal(v);
+          Index axis = 0;
+          normal.cwiseAbs().minCoeff(&axis);
+          Mat3& frame = this->Frames[at(v)];
+          frame.col(0) = normal;
+          frame.col(1) = normal.cross(Vec3(Vec3::Unit(axis))).stableNormalized();
+          frame.col(2) = normal.cross(Vec3(frame.col(1)));
+        }
+      });
+  }
+
+  FaceTerms termsOf(Index f) const
+  {
+    FaceTerms terms;
+    if (!this->Surface.hasFace(f))
+    {
+      return terms;
+    }
+    const Vec3 doubleArea = this->Surface.doubleArea(f);
+    const Vec3 facing = doubleArea.stableNormalized();
+    Index guess = this->Surface.guess(this->Surface.from(3 * f));
+    for (const std::array<double, 3>& b : FitPlaces)
+    {
+      Vec3 point = Vec3::Zero();
+      for (Index k = 0; k < 3; ++k)
+      {
+        point += b[at(k)] * this->Surface.corner(f, k);
+      }
+      const ReferenceSurface::Foot foot =
+        this->Reference.onSurface(point, facing, this->Surface.label(f), guess);
+      guess = foot.triangle;
+      const double weight = doubleArea.norm() * std::max(0.0, foot.normal.dot(facing));
+      Vec9 slope;
+      for (Index k = 0; k < 3; ++k)
+      {
+        const Mat3& frame = this->Frames[at(this->Surface.from(3 * f + k))];
+        slope.segment<3>(3 * k) = b[at(k)] * frame.transpose() * foot.normal;
+      }
+      terms.matrix += weight * slope * slope.transpose();
+      terms.rightSide -= weight * (point - foot.point).dot(foot.normal) * slope;
+    }
+    if (this->Directions == 3)
+    {
+      const double cost = this->TangentialInertia * doubleArea.norm();
+      terms.matrix.diagonal() += cost * (Vec9() << 0, 1, 1, 0, 1, 1, 0, 1, 1).finished();
+    }
+    return terms;
+  }
+
+  /// Visits the unknowns of a face: visit(unknown, its place among the face's nine).
+  template <class Visit>
+  void forEachUnknown(Index f, Visit visit) const
+  {
+    for (Index k = 0; k < 3; ++k)
+    {
+      const Index first = this->Unknown[at(this->Surface.from(3 * f + k))];
+      for (Index d = 0; first != NoIndex && d < this->Directions; ++d)
+      {
+        visit(first + d, 3 * k + d);
+      }
+    }
+  }
+
+  Eigen::VectorXd solve(const std::vector<FaceTerms>& terms) const
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(terms.size() * at(9 * this->Directions * this->Directions));
+    Eigen::VectorXd rightSide = Eigen::VectorXd::Zero(this->Unknowns);
+    for (Index f = 0; f < this->Surface.faceSlots(); ++f)
+    {
+      if (this->Surface.hasFace(f))
+      {
+        const FaceTerms& t = terms[at(f)];
+        this->forEachUnknown(f,
+          [&](Index row, Index i)
+          {
+            rightSide[row] += t.rightSide[i];
+            this->forEachUnknown(
+              f, [&](Index column, Index j) { entries.emplace_back(row, column, t.matrix(i, j)); });
+          });
+      }
+    }
+    Eigen::SparseMatrix<double> matrix(this->Unknowns, this->Unknowns);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    const double inertia = Inertia * matrix.diagonal().sum() / std::max(1, this->Unknowns);
+    for (Index i = 0; i < this->Unknowns; ++i)
+    {
+      matrix.coeffRef(i, i) += inertia;
+    }
+    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver;
+    solver.setTolerance(SolverTolerance);
+    solver.compute(matrix);
+    return solver.solve(rightSide);
+  }
+
+  void move(const Eigen::VectorXd& moves, double damping)
+  {
+    std::vector<Vec3> points(at(this->Surface.vertexSlots()));
+    for (Index v = 0; v < this->Surface.vertexSlots(); ++v)
+    {
+      points[at(v)] = this->Surface.point(v);
+      const Index first = this->Unknown[at(v)];
+      if (first != NoIndex)
+      {
+        Vec3 way = damping * this->Frames[at(v)].leftCols(this->Directions) *
+          moves.segment(first, this->Directions);
+        const double longest = LongestMove * this->Surface.size(v);
+        points[at(v)] += way * std::min(1.0, longest / std::max(way.norm(), longest));
+      }
+    }
+    moveGuarded(this->Surface, points, this->Run);
+  }
+
+  EditableSurface& Surface;
+  const ReferenceSurface& Reference;
+  const Execution& Run;
+  double TangentialInertia;
+  Index Directions; ///< in which a vertex may move
+  std::vector<Mat3> Frames;
+  std::vector<Index> Unknown; ///< of every vertex the first
+  Index Unknowns = 0;
+};
+
+} // namespace
+
+void fitToReference(EditableSurface& surface, const ReferenceSurface& reference,
+  const FitOptions& options, const Execution& execution)
+{
+  Fit fit(surface, reference, options.tangentialInertia, execution);
+  for (int i = 0; i < options.iterations; ++i)
+  {
+    execution.report(static_cast<double>(i) / options.iterations);
+    fit.iterate(options.damping);
+  }
+}
+
+} // namespace evolving

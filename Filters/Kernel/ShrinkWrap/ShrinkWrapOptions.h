@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * The parameters of shrink-wrapping.
+ */
+
+#ifndef EVOLVING_SHRINK_WRAP_OPTIONS_H
+#define EVOLVING_SHRINK_WRAP_OPTIONS_H
+
+#include <array>
+
+namespace evolving
+{
+
+/// Where the evolution starts.
+enum class WrapStart
+{
+  Isosurface = 0, ///< of the distance, a little outside: has the target's holes and handles
+  Icosphere = 1,  ///< a sphere around the target, as in the thesis
+};
+
+struct ShrinkWrapOptions
+{
+  WrapStart start = WrapStart::Isosurface;
+  std::array<int, 3> sampleDimensions = { 128, 128, 128 };
+  double targetEdgeLength = 0.0; ///< 0 = defaultEdgeLength() of the target's area
+  double gapSize = 0.0;          ///< 0 = two cells, and at least the edge length
+  bool adaptToCurvature = false; ///< as many elements, smaller ones where the target is curved
+  bool preserveFeatures = false; ///< edges and vertices on creases and corners of the target
+  double featureAngle = 45.0;    ///< degrees between normals from which an edge is a crease
+  int numberOfSteps = 0;         ///< 0 = as many as the start needs
+  double offsetDistance = 0.0;   ///< of the result from the target, outwards
+};
+
+bool operator==(const ShrinkWrapOptions& a, const ShrinkWrapOptions& b);
+
+/// @throws InputError for lengths that are negative or not finite, and numbers out of range
+void checkOptions(const ShrinkWrapOptions& options);
+
+/// The number of steps, resolved.
+int stepsOf(const ShrinkWrapOptions& options);
+
+/// The time step of the flow; like the number of steps it follows from options alone.
+double timeStepOf(const ShrinkWrapOptions& options);
+
+/// sqrt(2 A / (9000 sqrt(3))): equilateral triangles of this edge cover A with 9000 vertices.
+double defaultEdgeLength(double area);
+
+} // namespace evolving
+
+#endif

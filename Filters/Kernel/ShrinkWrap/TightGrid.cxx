@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ShrinkWrap/TightGrid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace evolving
+{
+
+namespace
+{
+
+constexpr double CellsOfRoom = 3.0;
+
+} // namespace
+
+DistanceGrid tightGrid(const Box& box, const std::array<int, 3>& dimensions, double room)
+{
+  double cell = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double cells = dimensions[static_cast<std::size_t>(axis)] - 1 - 2.0 * CellsOfRoom;
+    cell = std::max(cell, (box.sizes()[axis] + 2.0 * room) / std::max(1.0, cells));
+  }
+  DistanceGrid grid;
+  grid.spacing.setConstant(cell);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double side = box.sizes()[axis] + 2.0 * room + 2.0 * CellsOfRoom * cell;
+    const int cells = static_cast<int>(std::ceil(side / cell - 1e-9));
+    grid.origin[axis] = box.center()[axis] - 0.5 * cells * cell;
+    const auto lower = static_cast<std::size_t>(2 * axis);
+    grid.extent[lower] = 0;
+    grid.extent[lower + 1] = cells;
+  }
+  return grid;
+}
+
+} // namespace evolving

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * A distance grid no larger than the model needs.
+ */
+
+#ifndef EVOLVING_TIGHT_GRID_H
+#define EVOLVING_TIGHT_GRID_H
+
+#include "Distance/DistanceGrid.h"
+#include "Types.h"
+
+#include <array>
+
+namespace evolving
+{
+
+/**
+ * Cubic cells, as many as asked for along the axis that has the fewest for its length, and on the
+ * other axes only as many of them as the box and the room around it need. Three more cells on
+ * every side.
+ * @param room around the box, a length
+ */
+DistanceGrid tightGrid(const Box& box, const std::array<int, 3>& dimensions, double room);
+
+} // namespace evolving
+
+#endif

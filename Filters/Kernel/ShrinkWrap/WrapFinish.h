@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * The last part of shrink-wrapping: a surface that has arrived becomes one of good elements, as
+ * close to the target as their size allows.
+ */
+
+#ifndef EVOLVING_WRAP_FINISH_H
+#define EVOLVING_WRAP_FINISH_H
+
+#include "Execution.h"
+#include "Mesh/SurfaceMesh.h"
+#include "ShrinkWrap/ShrinkWrapOptions.h"
+#include "ShrinkWrap/WrapReference.h"
+#include "ShrinkWrap/WrapTarget.h"
+
+namespace evolving
+{
+
+/// The size that makes remeshing end with edges of a length: it leaves them a little longer.
+double sizeForEdges(double edgeLength);
+
+/**
+ * @param surface near the target, without self-intersections
+ * @return without self-intersections: a stage that makes some is undone there
+ * @throws Cancelled
+ */
+SurfaceMesh finishWrap(const SurfaceMesh& surface, const WrapTarget& target,
+  const WrapReference& reference, const ShrinkWrapOptions& options,
+  const Execution& execution = {});
+
+} // namespace evolving
+
+#endif

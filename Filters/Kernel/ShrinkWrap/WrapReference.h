@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * Where the result of shrink-wrapping is to lie.
+ */
+
+#ifndef EVOLVING_WRAP_REFERENCE_H
+#define EVOLVING_WRAP_REFERENCE_H
+
+#include "Distance/AABBTree.h"
+#include "Execution.h"
+#include "Remeshing/ReferenceSurface.h"
+#include "ShrinkWrap/OuterRegion.h"
+#include "ShrinkWrap/WrapTarget.h"
+
+#include <memory>
+#include <vector>
+
+namespace evolving
+{
+
+/**
+ * The target, or the surface at a distance around it. Sheets that can be reached from both sides
+ * become walls: two layers of triangles on one sheet would fold through each other. Points farther
+ * away than two edge lengths have no place there: membranes across holes stay where they are.
+ */
+class WrapReference : public ReferenceSurface
+{
+public:
+  /// @param region of the target; kept
+  WrapReference(const WrapTarget& target, std::shared_ptr<const OuterRegion> region,
+    const Execution& execution = {});
+
+  Foot onSurface(const Vec3& point, const Vec3& facing, Index label, Index guess) const override;
+
+  /// Of a point from where the result shall lie next to it.
+  double deviation(const Vec3& point) const;
+  /// Is there a sheet that can be reached from both sides?
+  bool hasSheets() const { return this->HasSheets; }
+  /// Does the result lie on the target everywhere?
+  bool isOnTarget() const { return this->Offset == 0.0 && !this->HasSheets; }
+
+  /// The part of the target that can be reached from outside.
+  const SurfaceMesh& visible() const { return this->Visible; }
+
+private:
+  /// From how many sides a triangle can be reached.
+  enum class SidesOpen : char
+  {
+    One,
+    Varying, ///< from one here and from both there
+    Both,
+  };
+
+  void findSheets(const Execution& execution);
+  Foot onVisible(const Vec3& point, const Vec3& facing, Index guess) const;
+  /// The point, or one at their level next to it where sheets are nearer than that.
+  Vec3 awayFromSheets(const Vec3& point) const;
+  double levelAt(Index triangle, const Vec3& point) const;
+  /// Can both sides of the target be reached at a point of a triangle? 0 to 1.
+  double openness(Index triangle, const Vec3& point) const;
+  double reachableFrom(const Vec3& point, const Vec3& side) const;
+
+  SurfaceMesh Visible;
+  AABBTree Tree;
+  std::shared_ptr<const OuterRegion> Region;
+  double Offset;
+  double Wall;
+  double Reach;
+  std::vector<SidesOpen> Sides; ///< of the triangles
+  bool HasSheets = false;
+  std::unique_ptr<AABBTree> Sheets;
+  std::vector<Index> SheetNumbers; ///< in Tree
+};
+
+} // namespace evolving
+
+#endif

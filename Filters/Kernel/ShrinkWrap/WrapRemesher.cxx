@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ShrinkWrap/WrapRemesher.h"
+
+#include "ParallelLoops.h"
+#include "Remeshing/EdgeCollapsing.h"
+#include "Remeshing/EdgeFlipping.h"
+#include "Remeshing/EdgeSplitting.h"
+#include "Remeshing/EditableSurface.h"
+#include "Remeshing/Remeshing.h"
+#include "Remeshing/SizingField.h"
+#include "Remeshing/StageGuard.h"
+#include "ShrinkWrap/WrapFinish.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace evolving
+{
+
+namespace
+{
+
+/// Far from the target elements grow with the distance, up to this many sizes.
+constexpr double Growth = 0.4;
+constexpr double LargestSize = 6.0;
+constexpr double Gradation = 0.3;
+
+void setSizesByDistance(EditableSurface& surface, double size, const std::vector<double>& distance)
+{
+  for (Index v = 0; v < surface.vertexSlots(); ++v)
+  {
+    const double grown = size + Growth * (std::abs(distance[at(v)]) - size);
+    surface.setSize(v, std::clamp(grown, size, LargestSize * size));
+  }
+  gradeSizes(surface, Gradation);
+}
+
+} // namespace
+
+WrapRemesher::WrapRemesher(std::shared_ptr<const WrapTarget> target,
+  std::shared_ptr<const WrapReference> reference, const ShrinkWrapOptions& options)
+  : Target(std::move(target))
+  , Reference(std::move(reference))
+  , Options(options)
+{
+}
+
+std::optional<SurfaceMesh> WrapRemesher::remesh(
+  const RemeshingInput& input, const Execution& execution)
+{
+  SurfaceMesh surface = input.surface;
+  undoIntersections(surface, input.before, execution.phase(0.0, 0.0));
+  surface = this->withRightSizes(surface, input.distance, execution.phase(0.0, 0.0));
+  return input.isLast
+    ? finishWrap(surface, *this->Target, *this->Reference, this->Options, execution)
+    : surface;
+}
+
+SurfaceMesh WrapRemesher::withRightSizes(
+  const SurfaceMesh& surface, const std::vector<double>& distance, const Execution& execution) const
+{
+  EditableSurface editable(surface);
+  setSizesByDistance(editable, sizeForEdges(this->Target->edgeLength), distance);
+  const RemeshingOptions options;
+  runGuarded(
+    editable,
+    [&options](EditableSurface& s)
+    {
+      splitLongEdges(s, options.longest);
+      collapseShortEdges(s, options.shortest, options.guards);
+      flipForValences(s);
+      s.compact();
+    },
+    execution);
+  return editable.mesh();
+}
+
+} // namespace evolving
