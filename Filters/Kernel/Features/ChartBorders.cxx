@@ -33,51 +33,66 @@ public:
   {
     for (std::size_t face = 0; face < names.size(); ++face)
     {
-      this->FacesOfName[names[face]].push_back(static_cast<Index>(face));
+      if (isFixed[face] == 0)
+      {
+        this->FreeFaces[names[face]].push_back(static_cast<Index>(face));
+      }
     }
   }
 
   /// @return whether the border changed
   bool improve(Index first, Index second)
   {
-    std::vector<Index> faces = this->FacesOfName[first];
-    const std::vector<Index>& others = this->FacesOfName[second];
-    faces.insert(faces.end(), others.begin(), others.end());
-    MinimumCut cut(this->numberNodes(faces, first));
-    for (const Index face : faces)
+    // The search for ways begins in the first and stays near it when it is the smaller one.
+    if (this->FreeFaces[second].size() < this->FreeFaces[first].size())
     {
-      this->addEdges(cut, face);
+      std::swap(first, second);
     }
-    return this->rename(faces, cut.sourceSide(First, Second), first, second);
+    this->First = first;
+    this->Second = second;
+    this->Free = this->FreeFaces[first];
+    const std::vector<Index>& others = this->FreeFaces[second];
+    this->Free.insert(this->Free.end(), others.begin(), others.end());
+    Index nodes = 2;
+    for (const Index face : this->Free)
+    {
+      this->NodeOfFace[at(face)] = nodes++;
+    }
+    const bool changed = this->renameIfCheaper(this->cheapestCut(nodes));
+    this->listFreeFaces();
+    return changed;
   }
 
 private:
-  static constexpr Index First = 0;  ///< the node of the first chart's fixed triangles
-  static constexpr Index Second = 1; ///< of the second's
+  static constexpr Index FirstNode = 0; ///< of the first chart's fixed triangles
+  static constexpr Index SecondNode = 1;
 
-  Index numberNodes(const std::vector<Index>& faces, Index first)
+  /// NoIndex for triangles of other charts.
+  Index nodeOf(Index face) const
   {
-    Index nodes = 2;
-    for (const Index face : faces)
+    if (this->IsFixed[at(face)] == 0)
     {
-      const Index fixedNode = this->Names[at(face)] == first ? First : Second;
-      this->NodeOfFace[at(face)] = this->IsFixed[at(face)] != 0 ? fixedNode : nodes++;
+      return this->NodeOfFace[at(face)];
     }
-    return nodes;
+    const Index name = this->Names[at(face)];
+    return name == this->First ? FirstNode : name == this->Second ? SecondNode : NoIndex;
   }
 
-  void addEdges(MinimumCut& cut, Index face) const
+  /// Calls visit(face, other, cost) once for each edge over which the border may move.
+  template <typename Visit>
+  void forEachEdge(const Visit& visit) const
   {
-    forEachSmoothNeighbour(this->Target, this->Sharp, face,
-      [&](Index other, Index edge)
-      {
-        const Index a = this->NodeOfFace[at(face)];
-        const Index b = this->NodeOfFace[at(other)];
-        if (face < other && b != NoIndex && a != b)
+    for (const Index face : this->Free)
+    {
+      forEachSmoothNeighbour(this->Target, this->Sharp, face,
+        [&](Index other, Index edge)
         {
-          cut.addEdge(a, b, this->cost(edge));
-        }
-      });
+          if ((face < other || this->IsFixed[at(other)] != 0) && this->nodeOf(other) != NoIndex)
+          {
+            visit(face, other, this->cost(edge));
+          }
+        });
+    }
   }
 
   /// Per length little where the surface folds nearly enough for a crease.
@@ -87,49 +102,57 @@ private:
     return this->Target.edgeLength(edge) * (1.0 - MostSaved * this->Sharp.relativeFold(edge));
   }
 
-  /// The faces' names by the side of the cut; a cut that costs as much as the border changes none.
-  bool rename(
-    const std::vector<Index>& faces, const std::vector<char>& onFirst, Index first, Index second)
+  std::vector<char> cheapestCut(Index nodes) const
   {
-    const double tolerance = 1e-9;
+    MinimumCut cut(nodes);
+    this->forEachEdge([&](Index face, Index other, double cost)
+      { cut.addEdge(this->nodeOf(face), this->nodeOf(other), cost); });
+    return cut.sourceSide(FirstNode, SecondNode);
+  }
+
+  /// Renames the free triangles by the side of a cut, unless that costs as much as the border.
+  bool renameIfCheaper(const std::vector<char>& onFirst)
+  {
+    constexpr double Tolerance = 1e-9;
     double before = 0.0;
     double after = 0.0;
-    for (const Index face : faces)
-    {
-      forEachSmoothNeighbour(this->Target, this->Sharp, face,
-        [&](Index other, Index edge)
-        {
-          const Index node = this->NodeOfFace[at(other)];
-          const double cost = node == NoIndex ? 0.0 : this->cost(edge);
-          before += this->Names[at(face)] != this->Names[at(other)] ? cost : 0.0;
-          const bool cuts =
-            node != NoIndex && onFirst[at(node)] != onFirst[at(this->NodeOfFace[at(face)])];
-          after += cuts ? cost : 0.0;
-        });
-    }
-    const bool isCheaper = after < (1.0 - tolerance) * before;
-    std::vector<Index> ofFirst;
-    std::vector<Index> ofSecond;
-    for (const Index face : faces)
-    {
-      if (isCheaper)
+    this->forEachEdge(
+      [&](Index face, Index other, double cost)
       {
-        this->Names[at(face)] = onFirst[at(this->NodeOfFace[at(face)])] != 0 ? first : second;
-      }
-      (this->Names[at(face)] == first ? ofFirst : ofSecond).push_back(face);
+        before += this->Names[at(face)] != this->Names[at(other)] ? cost : 0.0;
+        after += onFirst[at(this->nodeOf(face))] != onFirst[at(this->nodeOf(other))] ? cost : 0.0;
+      });
+    if (!(after < (1.0 - Tolerance) * before))
+    {
+      return false;
+    }
+    for (const Index face : this->Free)
+    {
+      this->Names[at(face)] = onFirst[at(this->nodeOf(face))] != 0 ? this->First : this->Second;
+    }
+    return true;
+  }
+
+  void listFreeFaces()
+  {
+    this->FreeFaces[this->First].clear();
+    this->FreeFaces[this->Second].clear();
+    for (const Index face : this->Free)
+    {
+      this->FreeFaces[this->Names[at(face)]].push_back(face);
       this->NodeOfFace[at(face)] = NoIndex;
     }
-    this->FacesOfName[first] = std::move(ofFirst);
-    this->FacesOfName[second] = std::move(ofSecond);
-    return isCheaper;
   }
 
   const TargetTriangles& Target;
   const SharpEdges& Sharp;
   const std::vector<char>& IsFixed;
   std::vector<Index>& Names;
-  std::vector<Index> NodeOfFace; ///< NoIndex outside the two charts
-  std::map<Index, std::vector<Index>> FacesOfName;
+  std::map<Index, std::vector<Index>> FreeFaces; ///< by name
+  Index First = NoIndex;                         ///< the names of the two charts
+  Index Second = NoIndex;
+  std::vector<Index> Free;       ///< triangles of both
+  std::vector<Index> NodeOfFace; ///< of Free
 };
 
 } // namespace

@@ -60,7 +60,7 @@ void mergeCharts(const TargetTriangles& target, const SharpEdges& sharp, Separat
   }
   for (Index& name : names)
   {
-    name = name < target.mesh().faceCount() ? charts.find(name) : name;
+    name = charts.find(name);
   }
 }
 

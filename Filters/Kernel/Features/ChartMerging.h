@@ -22,7 +22,7 @@ namespace evolving
 /**
  * Merges charts that share a border which is not sharp, the pair with the longest one first.
  * @param[in,out] charts which of them must stay apart
- * @param[in,out] names the chart of every triangle; a name that charts does not know is kept
+ * @param[in,out] names the chart of every triangle, by a triangle of it
  */
 void mergeCharts(const TargetTriangles& target, const SharpEdges& sharp, SeparatedSets& charts,
   std::vector<Index>& names);

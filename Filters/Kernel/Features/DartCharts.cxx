@@ -44,10 +44,11 @@ double stepLength(
 
 /**
  * Every triangle that a seed reaches takes the nearest one's name; the others keep theirs.
- * @return the way from there; infinite for the others
+ * @param reach the longest way
+ * @return the way from there; longer than the reach for the others
  */
 std::vector<double> growCharts(const TargetTriangles& target, const SharpEdges& sharp,
-  const std::vector<Index>& seeds, std::vector<Index>& names)
+  const std::vector<Index>& seeds, double reach, std::vector<Index>& names)
 {
   using Arrival = std::tuple<double, Index, Index>; // way, triangle, name: the order of arrival
   std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> arrivals;
@@ -71,13 +72,35 @@ std::vector<double> growCharts(const TargetTriangles& target, const SharpEdges& 
     const auto goOn = [&, length = length, face = face, name = name](Index next, Index edge)
     {
       const double further = length + stepLength(target, sharp, face, next, edge);
-      if (further < way[at(next)])
+      if (further < way[at(next)] && further <= reach)
       {
         way[at(next)] = further;
         arrivals.emplace(further, next, name);
       }
     };
     forEachSmoothNeighbour(target, sharp, face, goOn);
+  }
+  return way;
+}
+
+/// Charts by a triangle of each: around the seeds, and what is left of the patches beyond a reach.
+std::vector<double> makeCharts(const TargetTriangles& target, const SharpEdges& sharp,
+  DartSides& sides, double reach, std::vector<Index>& names)
+{
+  constexpr Index Beyond = NoIndex;
+  names.assign(at(target.mesh().faceCount()), Beyond);
+  for (const Index seed : sides.seeds())
+  {
+    names[at(seed)] = sides.sets().find(seed);
+  }
+  std::vector<double> way = growCharts(target, sharp, sides.seeds(), reach, names);
+  const TriangleLabels pieces = connectedSets(target, sharp, names);
+  std::vector<Index> firstOfPiece(at(pieces.count), NoIndex);
+  for (Index face = 0; face < target.mesh().faceCount(); ++face)
+  {
+    Index& first = firstOfPiece[at(pieces[face])];
+    first = first == NoIndex ? face : first;
+    names[at(face)] = names[at(face)] == Beyond ? first : names[at(face)];
   }
   return way;
 }
@@ -92,21 +115,14 @@ TriangleLabels separatingLabels(const TargetTriangles& target, const SharpEdges&
   {
     return patches;
   }
-  // Patches take names beyond those of seeds, which are triangles.
-  std::vector<Index> names = patches.ofTriangle;
-  for (Index& name : names)
-  {
-    name += target.mesh().faceCount();
-  }
-  for (const Index seed : sides.seeds())
-  {
-    names[at(seed)] = sides.sets().find(seed);
-  }
-  const std::vector<double> way = growCharts(target, sharp, sides.seeds(), names);
+  // A strip beside a dart ends well before this, and so does any border that is shorter.
+  const double reach = 2.0 * sides.longestDart() + 3.0 * width;
+  std::vector<Index> names;
+  const std::vector<double> way = makeCharts(target, sharp, sides, reach, names);
   mergeCharts(target, sharp, sides.sets(), names);
   std::vector<char> isFixed(way.size());
-  std::transform(
-    way.begin(), way.end(), isFixed.begin(), [width](double length) { return length <= width; });
+  std::transform(way.begin(), way.end(), isFixed.begin(),
+    [=](double length) { return length <= width || length > reach; });
   improveBorders(target, sharp, isFixed, names);
   return connectedSets(target, sharp, names);
 }

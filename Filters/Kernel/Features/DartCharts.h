@@ -24,9 +24,9 @@ namespace evolving
  * 1. The triangles on either side of the darts are seeds; those next to each other on one side
  *    of a dart, around its vertices, belong together. A crease with one side only (on a band
  *    with half a turn) is cut where its ends meet.
- * 2. Charts grow from all seeds at once (Dijkstra, over edges that are not sharp), slowly
- *    over folds), so that the border between two begins at the loose end and goes on straight
- * ahead.
+ * 2. Charts grow from all seeds at once (Dijkstra, over edges that are not sharp, slowly over
+ *    folds), so that the border between two begins at the loose end and goes on straight ahead.
+ *    They end at a distance that no better border exceeds; what is beyond are charts, too.
  * 3. Charts are merged over their longest border first, as long as no dart loses its two
  *    labels.
  * 4. Borders are moved to where they are short and follow weaker folds (minimum cuts), outside a

@@ -3,6 +3,8 @@
 
 #include "Features/DartSides.h"
 
+#include "Mesh/DisjointSets.h"
+
 #include <algorithm>
 
 namespace evolving
@@ -59,9 +61,36 @@ DartSides::DartSides(
   , Sets(static_cast<std::size_t>(target.mesh().faceCount()))
 {
   this->findDarts(target, sharp, patches);
+  this->measureDarts(target);
   for (const Index vertex : this->Vertices)
   {
     this->joinAround(target, sharp, vertex);
+  }
+}
+
+void DartSides::addDart(const TargetTriangles& target, Index edge, Index left, Index right)
+{
+  this->Sets.separate(left, right);
+  this->Seeds.insert(this->Seeds.end(), { left, right });
+  const auto [from, to] = target.edgeVertices(edge);
+  this->Vertices.insert(this->Vertices.end(), { from, to });
+  this->Edges.push_back(edge);
+}
+
+void DartSides::measureDarts(const TargetTriangles& target)
+{
+  DisjointSets connected(target.mesh().points.size());
+  std::vector<double> lengths(target.mesh().points.size(), 0.0);
+  for (const Index edge : this->Edges)
+  {
+    connected.join(target.edgeVertices(edge)[0], target.edgeVertices(edge)[1]);
+  }
+  for (const Index edge : this->Edges)
+  {
+    double& length =
+      lengths[static_cast<std::size_t>(connected.find(target.edgeVertices(edge)[0]))];
+    length += target.edgeLength(edge);
+    this->LongestDart = std::max(this->LongestDart, length);
   }
 }
 
@@ -79,16 +108,14 @@ void DartSides::findDarts(
         const Index right = TargetTriangles::faceOf(*b);
         if (patches[left] == patches[right])
         {
-          this->Sets.separate(left, right);
-          this->Seeds.insert(this->Seeds.end(), { left, right });
-          const auto [from, to] = target.edgeVertices(edge);
-          this->Vertices.insert(this->Vertices.end(), { from, to });
+          this->addDart(target, edge, left, right);
         }
       }
     }
   }
   sortUnique(this->Seeds);
   sortUnique(this->Vertices);
+  sortUnique(this->Edges);
   for (const Index seed : this->Seeds)
   {
     this->IsSeed[static_cast<std::size_t>(seed)] = 1;

@@ -27,16 +27,22 @@ public:
 
   /// The triangles beside darts, ascending.
   const std::vector<Index>& seeds() const { return this->Seeds; }
+  /// The length of the longest dart, with all that are connected to it.
+  double longestDart() const { return this->LongestDart; }
   /// Of triangles; only seeds are joined and separated.
   SeparatedSets& sets() { return this->Sets; }
 
 private:
+  void addDart(const TargetTriangles& target, Index edge, Index left, Index right);
   void findDarts(
     const TargetTriangles& target, const SharpEdges& sharp, const TriangleLabels& patches);
+  void measureDarts(const TargetTriangles& target);
   void joinAround(const TargetTriangles& target, const SharpEdges& sharp, Index vertex);
 
   std::vector<Index> Seeds;
   std::vector<Index> Vertices; ///< of darts, ascending
+  std::vector<Index> Edges;    ///< of darts
+  double LongestDart = 0.0;
   std::vector<char> IsSeed;
   SeparatedSets Sets;
 };

@@ -9,9 +9,10 @@
 #include "Mesh/DisjointSets.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <map>
-#include <set>
+#include <queue>
 #include <utility>
 #include <vector>
 
@@ -42,6 +43,7 @@ struct Patch
   double area = 0.0;
   double outerBorder = 0.0;              ///< the surface's boundary
   std::map<Index, SharedBorder> borders; ///< by neighbour
+  double listedWidth = -1.0;             ///< in the queue
 
   double width() const
   {
@@ -77,36 +79,55 @@ public:
   /// @return whether any two patches were merged
   bool run(double width)
   {
-    std::set<std::pair<double, Index>> narrow; // the narrowest first
     for (Index p = 0; p < this->Labels.count; ++p)
     {
-      narrow.emplace(this->patch(p).width(), p);
+      this->listWidth(p);
     }
     bool merged = false;
-    while (!narrow.empty() && narrow.begin()->first < width)
+    while (!this->Narrowest.empty() && this->Narrowest.top().first < width)
     {
-      const Index p = narrow.begin()->second;
-      narrow.erase(narrow.begin());
-      const Index q = this->bestNeighbour(p);
+      const auto [listedWidth, p] = this->Narrowest.top();
+      this->Narrowest.pop();
+      // What was merged since is listed again, or part of another.
+      const bool isCurrent = listedWidth == this->patch(p).listedWidth;
+      const Index q = isCurrent ? this->bestNeighbour(p) : NoIndex;
       if (q != NoIndex)
       {
-        narrow.erase({ this->patch(q).width(), q });
-        const Index whole = this->merge(p, q);
-        narrow.emplace(this->patch(whole).width(), whole);
+        this->listWidth(this->merge(p, q));
         merged = true;
       }
     }
     return merged;
   }
 
-  bool areMerged(Index faceA, Index faceB)
+  /// Were any two faces of an edge parts of different patches that are one now?
+  bool areMergedAt(Index edge)
   {
-    const Index a = this->Labels[faceA];
-    const Index b = this->Labels[faceB];
-    return a != b && this->Sets.find(a) == this->Sets.find(b);
+    const Index* last = this->Target.edges().end(edge);
+    for (const Index* a = this->Target.edges().begin(edge); a != last; ++a)
+    {
+      for (const Index* b = a + 1; b != last; ++b)
+      {
+        const Index p = this->Labels[TargetTriangles::faceOf(*a)];
+        const Index q = this->Labels[TargetTriangles::faceOf(*b)];
+        if (p != q && this->Sets.find(p) == this->Sets.find(q))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
 private:
+  using ListedWidth = std::pair<double, Index>;
+
+  void listWidth(Index p)
+  {
+    this->patch(p).listedWidth = this->patch(p).width();
+    this->Narrowest.emplace(this->patch(p).listedWidth, p);
+  }
+
   Patch& patch(Index p) { return this->Patches[static_cast<std::size_t>(p)]; }
 
   void addEdge(const SharpEdges& sharp, Index edge)
@@ -186,6 +207,7 @@ private:
   TriangleLabels Labels;
   DisjointSets Sets;
   std::vector<Patch> Patches; ///< those whose number is their set's are current
+  std::priority_queue<ListedWidth, std::vector<ListedWidth>, std::greater<>> Narrowest;
 };
 
 } // namespace
@@ -199,14 +221,9 @@ bool mergeNarrowPatches(const TargetTriangles& target, SharpEdges& sharp, double
   }
   for (const Index edge : sharp.list())
   {
-    const Index* first = target.edges().begin(edge);
-    const Index* last = target.edges().end(edge);
-    for (const Index* other = first + 1; other < last; ++other)
+    if (merging.areMergedAt(edge))
     {
-      if (merging.areMerged(TargetTriangles::faceOf(*first), TargetTriangles::faceOf(*other)))
-      {
-        sharp.leaveOut(edge);
-      }
+      sharp.leaveOut(edge);
     }
   }
   return true;

@@ -121,12 +121,16 @@ TargetFeatures::TargetFeatures(
   , CurveTree(this->Target, this->Sharp.list())
   , CornerTree(pointsAsTriangles(this->Target, this->Network.corners()))
 {
+  const Execution rest = execution.phase(0.8, 1.0);
   this->TreeOfLabel.reserve(this->TrianglesOfLabel.size());
   for (const std::vector<Index>& triangles : this->TrianglesOfLabel)
   {
-    this->TreeOfLabel.emplace_back(partOf(this->Target.mesh(), triangles));
+    if (this->labelCount() > 1)
+    {
+      this->TreeOfLabel.emplace_back(partOf(this->Target.mesh(), triangles));
+    }
+    rest.report(static_cast<double>(this->TreeOfLabel.size()) / this->labelCount());
   }
-  execution.report(1.0);
 }
 
 LabelledPoint TargetFeatures::closestPoint(const Vec3& point) const
@@ -138,7 +142,8 @@ LabelledPoint TargetFeatures::closestPoint(const Vec3& point) const
 LabelledPoint TargetFeatures::closestPointWithLabel(
   const Vec3& point, Index label, double squaredBound) const
 {
-  const ClosestTriangle found = this->TreeOfLabel[at(label)].closest(point, squaredBound);
+  const AABBTree& tree = this->labelCount() > 1 ? this->TreeOfLabel[at(label)] : this->Tree;
+  const ClosestTriangle found = tree.closest(point, squaredBound);
   if (found.triangle == NoIndex)
   {
     return {};

@@ -20,6 +20,7 @@
 #include "Features/TargetTriangles.h"
 #include "Types.h"
 
+#include <limits>
 #include <vector>
 
 namespace evolving
@@ -98,7 +99,7 @@ private:
   LabelBorders Borders;
   AABBTree Tree;
   std::vector<std::vector<Index>> TrianglesOfLabel;
-  std::vector<AABBTree> TreeOfLabel;
+  std::vector<AABBTree> TreeOfLabel; ///< empty for one label: Tree
   PolylineTree CurveTree;
   AABBTree CornerTree;
 };

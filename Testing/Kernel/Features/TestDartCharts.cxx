@@ -38,10 +38,11 @@ int unseparatedEdges(const TargetFeatures& features)
   return count;
 }
 
-TargetFeatures featuresOf(const SurfaceMesh& mesh, double angle = 45.0)
+TargetFeatures featuresOf(const SurfaceMesh& mesh, double angle = 45.0, double edgeLength = 0.0)
 {
   FeatureOptions options;
   options.angle = angle;
+  options.edgeLength = edgeLength;
   return findFeatures(mesh, options);
 }
 
@@ -184,6 +185,13 @@ TEST(DartCharts, SeparateEverySideOnRandomBlocks)
     }
     const TargetFeatures rough = featuresOf(blocks, 70.0);
     EXPECT_EQ(unseparatedEdges(rough), 0) << trial;
+    // The cells are 1 wide: elements of 0.3 can carry nearly all of their edges, of 1 far from all.
+    const TargetFeatures fine = featuresOf(blocks, 70.0, 0.3);
+    EXPECT_EQ(unseparatedEdges(fine), 0) << trial;
+    const TargetFeatures coarse = featuresOf(blocks, 70.0, 1.0);
+    EXPECT_EQ(unseparatedEdges(coarse), 0) << trial;
+    EXPECT_GT(coarse.lengthLeftOut(), fine.lengthLeftOut()) << trial;
+    EXPECT_LT(coarse.curves().curves().size(), rough.curves().curves().size()) << trial;
   }
 }
 
