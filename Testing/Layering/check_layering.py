@@ -25,10 +25,11 @@ KERNEL_ARROWS = {
     "": set(),
     "Mesh": set(),
     "Distance": {"Mesh"},
+    "Features": {"Mesh", "Distance"},
     "StartSurface": {"Mesh", "Distance"},
     "Remeshing": {"Mesh", "Distance"},
     "Evolution": {"Mesh", "Distance", "Remeshing"},
-    "ShrinkWrap": {"Mesh", "Distance", "StartSurface", "Remeshing", "Evolution"},
+    "ShrinkWrap": {"Mesh", "Distance", "Features", "StartSurface", "Remeshing", "Evolution"},
 }
 
 

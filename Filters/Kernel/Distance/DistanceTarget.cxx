@@ -85,11 +85,12 @@ void dropDuplicates(SurfaceMesh& mesh, std::vector<Index>& oldFace)
   oldFace = std::move(oldOfUnique);
 }
 
-DistanceTarget targetOfSurface(const SurfaceMesh& mesh, const Execution& execution)
+} // namespace
+
+SurfaceMesh uniqueTriangles(
+  const SurfaceMesh& mesh, std::vector<Index>& oldFace, const Execution& execution)
 {
-  DistanceTarget target;
   std::vector<Index> oldOfWelded;
-  std::vector<Index> weldedOfTriangle;
   const SurfaceMesh welded = weldCoincidentPoints(mesh, nullptr, &oldOfWelded);
   if (welded.faceCount() == 0)
   {
@@ -100,19 +101,16 @@ DistanceTarget targetOfSurface(const SurfaceMesh& mesh, const Execution& executi
     throw InputError(message.str());
   }
   execution.report(0.4);
-  target.mesh = triangulate(welded, weldedOfTriangle);
-  target.oldNumber.reserve(weldedOfTriangle.size());
-  for (const Index face : weldedOfTriangle)
+  SurfaceMesh triangles = triangulate(welded, oldFace);
+  for (Index& face : oldFace)
   {
-    target.oldNumber.push_back(oldOfWelded[at(face)]);
+    face = oldOfWelded[at(face)];
   }
   execution.report(0.5);
-  dropDuplicates(target.mesh, target.oldNumber);
+  dropDuplicates(triangles, oldFace);
   execution.report(0.7);
-  return target;
+  return triangles;
 }
-
-} // namespace
 
 DistanceTarget makeDistanceTarget(const SurfaceMesh& mesh, const Execution& execution)
 {
@@ -122,8 +120,15 @@ DistanceTarget makeDistanceTarget(const SurfaceMesh& mesh, const Execution& exec
     throw InputError("The mesh has no points, expected a surface or points to measure from; "
                      "check what produces it.");
   }
-  DistanceTarget target =
-    mesh.faceCount() == 0 ? targetOfPoints(mesh) : targetOfSurface(mesh, execution);
+  DistanceTarget target;
+  if (mesh.faceCount() == 0)
+  {
+    target = targetOfPoints(mesh);
+  }
+  else
+  {
+    target.mesh = uniqueTriangles(mesh, target.oldNumber, execution);
+  }
   const Box box = boundingBox(target.mesh);
   requireSizeForFloats(box);
   target.center = box.center();

@@ -29,6 +29,16 @@ struct DistanceTarget
 };
 
 /**
+ * Joins coincident points, cuts polygons into triangles and keeps one of several triangles with
+ * the same corners. The mesh must have passed validate().
+ * @param[out] oldFace for every triangle the face it comes from
+ * @throws InputError when no face has three different corners
+ * @throws Cancelled between these steps
+ */
+SurfaceMesh uniqueTriangles(
+  const SurfaceMesh& mesh, std::vector<Index>& oldFace, const Execution& execution = {});
+
+/**
  * Joins coincident points, cuts polygons into triangles, keeps one of several triangles with
  * the same corners, moves the mesh to its centre and turns its triangles outwards. Of a mesh
  * without faces, the different points.
