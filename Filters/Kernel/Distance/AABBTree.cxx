@@ -144,7 +144,7 @@ ClosestTriangle AABBTree::closest(const Vec3& point, double squaredBound, Index 
   {
     return {};
   }
-  if (guess != NoIndex)
+  if (guess >= 0 && guess < this->triangleCount())
   {
     const Candidate candidate{ guess, this->squaredDistance(guess, point) };
     best = isCloser(candidate, best) ? candidate : best;

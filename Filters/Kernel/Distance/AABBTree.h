@@ -88,7 +88,8 @@ public:
    * same distance the one with the smallest number, so that the answer does not depend on the
    * bound or the guess.
    * @param squaredBound triangles farther than its root are not found
-   * @param guess a triangle that may be close, for speed; or NoIndex
+   * @param guess a triangle that may be close, for speed; a number of none (NoIndex, or one of a
+   *   tree before this one) is no guess
    */
   ClosestTriangle closest(const Vec3& point,
     double squaredBound = std::numeric_limits<double>::infinity(), Index guess = NoIndex) const;

@@ -34,7 +34,7 @@ public:
    * The place of the reference that belongs to a point.
    * @param facing the normal of the surface there
    * @param label of the faces there, EditableSurface::label()
-   * @param guess a triangle that may be close, or NoIndex
+   * @param guess a triangle that may be close; a number of none is no guess
    */
   virtual Foot onSurface(const Vec3& point, const Vec3& facing, Index label, Index guess) const = 0;
   /// The closest point of a curve, EditableSurface::curve(); the point itself where none is known.

@@ -24,7 +24,7 @@ namespace evolving
 namespace
 {
 
-constexpr int UniformPasses = 7;
+constexpr int UniformPasses = 10;
 constexpr int AdaptivePasses = 8;
 constexpr int PolishPasses = 3;
 /// Smallest angles up to this are worth a search, in degrees; and how many rounds of it.
@@ -34,9 +34,11 @@ constexpr int StarRounds = 5;
 constexpr double SoundAngle = 42.0;
 /// For a peak's sake angles may fall to this, to recover afterwards.
 constexpr double BearableAngle = 38.0;
+constexpr double LeastUniformAngle = 44.5;
+constexpr double LeastAdaptedAngle = 42.5;
 /// What moving along the surface costs in the first fit: less finds ridges better and leaves worse
 /// elements.
-constexpr double TangentialInertia = 0.9;
+constexpr double TangentialInertia = 1.5;
 /// Adaptive sizes, in those of uniform ones.
 constexpr double SmallestSize = 0.4;
 constexpr double LargestSize = 1.5;
@@ -168,7 +170,8 @@ private:
       fitPeaks(surface, this->Reference, samples, options, now);
       this->improve(surface, now);
     }
-    fitPeaks(surface, this->Reference, samples, {}, now);
+    options.leastAngle = this->Options.adaptToCurvature ? LeastAdaptedAngle : LeastUniformAngle;
+    fitPeaks(surface, this->Reference, samples, options, now);
   }
 
   EditableSurface Surface;

@@ -79,6 +79,23 @@ WrapReference::WrapReference(
   this->findSheets(execution.phase(0.5, 1.0));
 }
 
+WrapReference::SidesOpen WrapReference::sidesOf(Index triangle) const
+{
+  const Triangle& t = this->Tree.triangle(triangle);
+  const auto places = placesOf(t);
+  const auto isOpen = [&](const Vec3& p) { return this->openness(triangle, p) > SurelyOpen; };
+  if (t.box().diagonal().norm() < this->Region->radius())
+  {
+    return isOpen(places.back()) ? SidesOpen::Both : SidesOpen::One; // as small as a place
+  }
+  const auto open = std::count_if(places.begin(), places.end(), isOpen);
+  if (open == 0)
+  {
+    return SidesOpen::One;
+  }
+  return open == static_cast<std::ptrdiff_t>(places.size()) ? SidesOpen::Both : SidesOpen::Varying;
+}
+
 void WrapReference::findSheets(const Execution& execution)
 {
   this->Sides.assign(at(this->Tree.triangleCount()), SidesOpen::One);
@@ -87,12 +104,7 @@ void WrapReference::findSheets(const Execution& execution)
     {
       for (auto t = static_cast<Index>(begin); t < static_cast<Index>(end); ++t)
       {
-        const auto places = placesOf(this->Tree.triangle(t));
-        const auto isOpen = [&](const Vec3& p) { return this->openness(t, p) > SurelyOpen; };
-        const auto open = std::count_if(places.begin(), places.end(), isOpen);
-        const bool isSheet = open == static_cast<std::ptrdiff_t>(places.size());
-        this->Sides[at(t)] =
-          isSheet ? SidesOpen::Both : (open > 0 ? SidesOpen::Varying : SidesOpen::One);
+        this->Sides[at(t)] = this->sidesOf(t);
       }
     });
   SurfaceMesh sheets;

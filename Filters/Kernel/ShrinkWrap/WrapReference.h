@@ -54,6 +54,7 @@ private:
     Both,
   };
 
+  SidesOpen sidesOf(Index triangle) const;
   void findSheets(const Execution& execution);
   Foot onVisible(const Vec3& point, const Vec3& facing, Index guess) const;
   /// The point, or one at their level next to it where sheets are nearer than that.

@@ -113,6 +113,8 @@ TEST(AABBTree, TheAnswerDoesNotDependOnBoundOrGuess)
       ASSERT_EQ(tree.closest(point, squared).triangle, free.triangle) << shape.name;
       ASSERT_EQ(tree.closest(point, 2.0 * squared, guess).triangle, free.triangle) << shape.name;
       ASSERT_EQ(tree.closest(point, 0.99 * squared, guess).triangle, NoIndex) << shape.name;
+      const Index ofALargerTree = tree.triangleCount() + n;
+      ASSERT_EQ(tree.closest(point, squared, ofALargerTree).triangle, free.triangle) << shape.name;
     }
   }
 }
