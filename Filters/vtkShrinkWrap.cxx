@@ -181,11 +181,6 @@ int vtkShrinkWrap::RequestData(
   {
     return 1;
   }
-  if (this->PreserveFeatures)
-  {
-    vtkErrorMacro(<< "PreserveFeatures is on, but this version does not support it; turn it off.");
-    return 0;
-  }
   const std::vector<double> times = this->Times();
   const std::size_t step = this->OutputSteps
     ? TimeSteps::Requested(outputVector->GetInformationObject(0), times)
@@ -241,6 +236,7 @@ void vtkShrinkWrap::Solve(vtkPolyData* input, const evolving::Execution& executi
   this->Solved->Report = evolving::examine(
     result, [&problem](const evolving::Vec3& p) { return problem.reference->deviation(p); },
     execution.phase(0.9, 1.0));
+  this->Solved->Report.creases = problem.remesher->creases();
   this->Solved->Shortcomings = evolving::shortcomings(this->Solved->Report, problem.edgeLength);
   this->Solved->Series = std::move(series);
   this->Warn();

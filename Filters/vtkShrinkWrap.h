@@ -125,8 +125,10 @@ public:
 
   ///@{
   /**
-   * Edges of the result along sharp edges of the input. Off; turning it on is refused in this
-   * version.
+   * Edges and points of the result on sharp edges and corners of the input, also on those that end
+   * inside a face. What triangles of the edge length cannot carry is left out: parts narrower than
+   * 0.7 of it, and creases shorter than two. Not where the result does not lie on the input: at an
+   * OffsetDistance, and when the input has sheets that become walls. The default is off.
    */
   vtkSetMacro(PreserveFeatures, bool);
   vtkGetMacro(PreserveFeatures, bool);

@@ -105,18 +105,4 @@ TEST(ShrinkWrapSteps, HistoryTellsOfTheWay)
     0.5 * history->GetValueByName(0, "MeanDistance").ToDouble());
 }
 
-//------------------------------------------------------------------------------
-TEST(ShrinkWrapSteps, WhatIsNotSupportedIsRefused)
-{
-  vtkNew<vtkShrinkWrap> filter;
-  EventLog log(filter);
-  SetUpCoarsely(filter, Sample::Icosphere(1));
-  filter->PreserveFeaturesOn();
-  filter->Update();
-  ASSERT_EQ(log.Errors.size(), 1u);
-  EXPECT_TRUE(IsOneSentence(log.Errors.front()));
-  EXPECT_EQ(log.Errors.front().find("PreserveFeatures"), 0u);
-  EXPECT_TRUE(IsInitialized(filter->GetOutput()));
-}
-
 } // namespace

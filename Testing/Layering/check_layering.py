@@ -29,7 +29,9 @@ KERNEL_ARROWS = {
     "StartSurface": {"Mesh", "Distance"},
     "Remeshing": {"Mesh", "Distance"},
     "Evolution": {"Mesh", "Distance", "Remeshing"},
-    "ShrinkWrap": {"Mesh", "Distance", "Features", "StartSurface", "Remeshing", "Evolution"},
+    "FeatureCapture": {"Mesh", "Distance", "Features", "Remeshing"},
+    "ShrinkWrap": {"Mesh", "Distance", "Features", "StartSurface", "Remeshing", "FeatureCapture",
+                   "Evolution"},
 }
 
 

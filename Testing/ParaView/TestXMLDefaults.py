@@ -26,8 +26,6 @@ PROXIES = {
 REPRESENTATIONS = {"HistoryChart": "HistoryChartRepresentation"}
 # Setters without a property, and why.
 NOT_OFFERED = {
-    ("ShrinkWrap", "PreserveFeatures"): "refused in this version",
-    ("ShrinkWrap", "FeatureAngle"): "used with PreserveFeatures only",
     ("SurfaceEvolution", "Remeshing"): "refused in this version but for Off",
     ("SurfaceEvolution", "TargetEdgeLength"): "used with Remeshing only",
     ("SurfaceEvolution", "RemeshingInterval"): "used with Remeshing only",

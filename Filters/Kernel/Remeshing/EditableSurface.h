@@ -87,6 +87,7 @@ public:
   /// A vertex that stays where it is; edges may still be drawn into it.
   bool isPinned(Index v) const { return this->Holds[at(v)] != 0; }
   void setPinned(Index v) { this->Holds[at(v)] |= Pin; }
+  void releasePin(Index v) { this->Holds[at(v)] &= static_cast<unsigned char>(~Pin); }
   /// A pinned vertex; faces between three locked ones do not change at all.
   bool isLocked(Index v) const { return (this->Holds[at(v)] & Lock) != 0; }
   bool isLockedFace(Index f) const;

@@ -11,12 +11,12 @@
 #define EVOLVING_SHRINK_WRAP_H
 
 #include "Evolution/FlowOptions.h"
-#include "Evolution/Remesher.h"
 #include "Evolution/ScalarImage.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
 #include "ShrinkWrap/ShrinkWrapOptions.h"
 #include "ShrinkWrap/WrapReference.h"
+#include "ShrinkWrap/WrapRemesher.h"
 
 #include <memory>
 
@@ -28,7 +28,7 @@ struct ShrinkWrapProblem
 {
   std::shared_ptr<const SurfaceMesh> start; ///< without self-intersections
   std::shared_ptr<const ScalarImage> field; ///< zero where the result shall lie
-  std::shared_ptr<Remesher> remesher;
+  std::shared_ptr<WrapRemesher> remesher;
   FlowOptions flow;                               ///< in absolute units
   std::shared_ptr<const WrapReference> reference; ///< where the result shall lie, exactly
   double edgeLength = 0.0;                        ///< of the result

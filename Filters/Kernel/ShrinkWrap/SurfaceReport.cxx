@@ -113,6 +113,14 @@ std::vector<std::string> shortcomings(const SurfaceReport& report, double edgeLe
       "): a membrane was left over a hole or a deep concavity, or the distance grid is too coarse; "
       "use the Isosurface start, a smaller GapSize or more SampleDimensions.");
   }
+  if (report.creases.missing > edgeLength)
+  {
+    say("Of the target's creases, ", report.creases.length, " long in all, ",
+      report.creases.missing, " are not on edges of the result, some at (",
+      report.creases.place.transpose(),
+      "): other parts are too near, or the result does not lie on the target there; use a smaller "
+      "TargetEdgeLength, and no OffsetDistance.");
+  }
   return sentences;
 }
 

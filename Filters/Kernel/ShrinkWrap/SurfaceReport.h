@@ -11,6 +11,7 @@
 #define EVOLVING_SURFACE_REPORT_H
 
 #include "Execution.h"
+#include "FeatureCapture/FeatureCoverage.h"
 #include "Mesh/SurfaceMesh.h"
 #include "Types.h"
 
@@ -32,6 +33,7 @@ struct SurfaceReport
   Vec3 intersectionPlace = Vec3::Zero(); ///< in one of the intersecting triangles
   Vec3 minAnglePlace = Vec3::Zero();     ///< the middle of that triangle
   Vec3 maxDistancePlace = Vec3::Zero();  ///< that vertex
+  FeatureCoverage creases;               ///< for who made the surface to say
 };
 
 /// How far a point is from where the surface is meant to lie. Must not throw.

@@ -3,6 +3,9 @@
 
 #include "ShrinkWrap/WrapFinish.h"
 
+#include "FeatureCapture/FeatureCapture.h"
+#include "FeatureCapture/FeatureReference.h"
+#include "Features/TargetFeatures.h"
 #include "Remeshing/EdgeFlipping.h"
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/ElementRepair.h"
@@ -17,6 +20,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace evolving
 {
@@ -25,6 +29,7 @@ namespace
 {
 
 constexpr int UniformPasses = 10;
+constexpr int CapturePasses = 10;
 constexpr int AdaptivePasses = 8;
 constexpr int PolishPasses = 3;
 /// Smallest angles up to this are worth a search, in degrees; and how many rounds of it.
@@ -36,9 +41,18 @@ constexpr double SoundAngle = 42.0;
 constexpr double BearableAngle = 38.0;
 constexpr double LeastUniformAngle = 44.5;
 constexpr double LeastAdaptedAngle = 42.5;
+/// Creases that leave elements smaller angles than this are let go; remeshing may need some rounds.
+constexpr double LeastFeatureAngle = 30.0;
+constexpr int ReleaseRounds = 3;
+constexpr int ReleasePasses = 2;
+/// To see which creases the result carries: distances on them, and from them, in sizes.
+constexpr double CoverageSpacing = 0.25;
+constexpr double CoverageTolerance = 0.1;
 /// What moving along the surface costs in the first fit: less finds ridges better and leaves worse
 /// elements.
 constexpr double TangentialInertia = 1.5;
+/// Farther from their patch faces have no place there.
+constexpr double ReachSizes = 2.0;
 /// Adaptive sizes, in those of uniform ones.
 constexpr double SmallestSize = 0.4;
 constexpr double LargestSize = 1.5;
@@ -62,18 +76,34 @@ public:
     , Run(execution)
   {
     setUniformSizes(this->Surface, this->Size);
+    if (options.preserveFeatures)
+    {
+      const FeatureOptions features{ options.featureAngle, target.edgeLength };
+      this->Features.emplace(
+        findFeatures(reference.visible(), features, execution.phase(0.0, 0.0)));
+    }
   }
 
-  SurfaceMesh run()
+  FinishedWrap run()
   {
     this->stage(0.0, 0.05, &Finish::land);
-    this->stage(0.05, 0.3, &Finish::remesh);
+    this->stage(0.05, 0.2, &Finish::remesh);
+    if (this->Features && this->IsOnTarget)
+    {
+      this->OnFeatures.emplace(
+        this->Reference, *this->Features, ReachSizes * this->Size, this->Run.phase(0.2, 0.2));
+      this->stage(0.2, 0.3, &Finish::capture);
+    }
     if (this->Options.adaptToCurvature)
     {
       this->stage(0.3, 0.5, &Finish::adapt);
     }
     this->stage(0.5, 0.6, &Finish::polish);
     this->stage(0.6, 0.75, &Finish::fitAlong);
+    if (this->OnFeatures)
+    {
+      this->stage(0.75, 0.75, &Finish::release);
+    }
     this->stage(0.75, 0.85, &Finish::fit);
     this->stage(0.85, 0.9, &Finish::repair);
     if (this->IsOnTarget)
@@ -81,7 +111,7 @@ public:
       this->stage(0.9, 0.95, &Finish::reachPeaks);
     }
     this->stage(0.95, 1.0, &Finish::repair);
-    return this->Surface.mesh();
+    return { this->Surface.mesh(), this->coverage() };
   }
 
 private:
@@ -95,16 +125,56 @@ private:
       this->Surface, [&](EditableSurface& surface) { (this->*work)(surface, now); }, now);
   }
 
+  /// What the result lies on.
+  const ReferenceSurface& reference() const
+  {
+    return this->OnFeatures ? static_cast<const ReferenceSurface&>(*this->OnFeatures)
+                            : this->Reference;
+  }
+
+  FeatureCoverage coverage() const
+  {
+    return this->Features ? featureCoverage(this->Surface, *this->Features,
+                              CoverageSpacing * this->Size, CoverageTolerance * this->Size)
+                          : FeatureCoverage{};
+  }
+
   void land(EditableSurface& surface, const Execution& now) const
   {
-    evolving::land(surface, this->Reference, now);
+    evolving::land(surface, this->reference(), now);
   }
 
   void remesh(EditableSurface& surface, const Execution& now) const
   {
     for (int pass = 0; pass < UniformPasses; ++pass)
     {
-      remeshOnce(surface, this->Reference, {}, now);
+      remeshOnce(surface, this->reference(), {}, now);
+    }
+  }
+
+  void capture(EditableSurface& surface, const Execution& now) const
+  {
+    captureFeatures(surface, *this->Features, now);
+    for (int pass = 0; pass < CapturePasses; ++pass)
+    {
+      remeshOnce(surface, this->reference(), {}, now);
+    }
+  }
+
+  void release(EditableSurface& surface, const Execution& now) const
+  {
+    for (int round = 0; round < ReleaseRounds; ++round)
+    {
+      if (releaseFeatures(surface, LeastFeatureAngle) == 0)
+      {
+        return;
+      }
+      for (int pass = 0; pass < ReleasePasses; ++pass)
+      {
+        remeshOnce(surface, this->reference(), {}, now);
+      }
+      this->polish(surface, now);
+      this->fitAlong(surface, now);
     }
   }
 
@@ -117,7 +187,7 @@ private:
     for (int pass = 0; pass < AdaptivePasses; ++pass)
     {
       setSizesForVertexCount(surface, sizing, vertices);
-      remeshOnce(surface, this->Reference, {}, now);
+      remeshOnce(surface, this->reference(), {}, now);
     }
   }
 
@@ -125,14 +195,14 @@ private:
   {
     for (int pass = 0; pass < PolishPasses; ++pass)
     {
-      polishOnce(surface, this->Reference, {}, now);
+      polishOnce(surface, this->reference(), {}, now);
     }
   }
 
   /// Vertices find the ridges, and elements recover.
   void fitAlong(EditableSurface& surface, const Execution& now) const
   {
-    fitToReference(surface, this->Reference, { 3, 1.0, TangentialInertia }, now);
+    fitToReference(surface, this->reference(), { 3, 1.0, TangentialInertia }, now);
     flipForAngles(surface);
     this->improve(surface, now);
     flipForAngles(surface);
@@ -142,20 +212,20 @@ private:
   void fit(EditableSurface& surface, const Execution& now) const
   {
     constexpr double NormalOnly = std::numeric_limits<double>::infinity();
-    fitToReference(surface, this->Reference, { 3, 1.0, NormalOnly }, now);
+    fitToReference(surface, this->reference(), { 3, 1.0, NormalOnly }, now);
     this->improve(surface, now);
-    fitToReference(surface, this->Reference, { 1, 0.5, NormalOnly }, now);
+    fitToReference(surface, this->reference(), { 1, 0.5, NormalOnly }, now);
     this->improve(surface, now);
   }
 
   void improve(EditableSurface& surface, const Execution& now) const
   {
-    optimizeStars(surface, this->Reference, WantedAngle, StarRounds, now);
+    optimizeStars(surface, this->reference(), WantedAngle, StarRounds, now);
   }
 
   void repair(EditableSurface& surface, const Execution& now) const
   {
-    repairElements(surface, this->Reference, SoundAngle, now);
+    repairElements(surface, this->reference(), SoundAngle, now);
   }
 
   void reachPeaks(EditableSurface& surface, const Execution& now) const
@@ -167,15 +237,17 @@ private:
     options.leastAngle = BearableAngle;
     for (int round = 0; round < 2; ++round)
     {
-      fitPeaks(surface, this->Reference, samples, options, now);
+      fitPeaks(surface, this->reference(), samples, options, now);
       this->improve(surface, now);
     }
     options.leastAngle = this->Options.adaptToCurvature ? LeastAdaptedAngle : LeastUniformAngle;
-    fitPeaks(surface, this->Reference, samples, options, now);
+    fitPeaks(surface, this->reference(), samples, options, now);
   }
 
   EditableSurface Surface;
   const WrapReference& Reference;
+  std::optional<TargetFeatures> Features; ///< where creases are to be preserved
+  std::optional<FeatureReference> OnFeatures;
   const ShrinkWrapOptions& Options;
   double Size;
   bool IsOnTarget;
@@ -190,7 +262,7 @@ double sizeForEdges(double edgeLength)
   return Shortening * edgeLength;
 }
 
-SurfaceMesh finishWrap(const SurfaceMesh& surface, const WrapTarget& target,
+FinishedWrap finishWrap(const SurfaceMesh& surface, const WrapTarget& target,
   const WrapReference& reference, const ShrinkWrapOptions& options, const Execution& execution)
 {
   return Finish(surface, target, reference, options, execution).run();

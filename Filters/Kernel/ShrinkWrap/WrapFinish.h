@@ -11,6 +11,7 @@
 #define EVOLVING_WRAP_FINISH_H
 
 #include "Execution.h"
+#include "FeatureCapture/FeatureCoverage.h"
 #include "Mesh/SurfaceMesh.h"
 #include "ShrinkWrap/ShrinkWrapOptions.h"
 #include "ShrinkWrap/WrapReference.h"
@@ -22,12 +23,17 @@ namespace evolving
 /// The size that makes remeshing end with edges of a length: it leaves them a little longer.
 double sizeForEdges(double edgeLength);
 
+struct FinishedWrap
+{
+  SurfaceMesh surface; ///< without self-intersections: a stage that makes some is undone there
+  FeatureCoverage creases;
+};
+
 /**
  * @param surface near the target, without self-intersections
- * @return without self-intersections: a stage that makes some is undone there
  * @throws Cancelled
  */
-SurfaceMesh finishWrap(const SurfaceMesh& surface, const WrapTarget& target,
+FinishedWrap finishWrap(const SurfaceMesh& surface, const WrapTarget& target,
   const WrapReference& reference, const ShrinkWrapOptions& options,
   const Execution& execution = {});
 

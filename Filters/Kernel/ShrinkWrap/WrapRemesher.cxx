@@ -59,9 +59,14 @@ std::optional<SurfaceMesh> WrapRemesher::remesh(
   keepFrontsApart(surface, input.before, input.distance, thickness, execution.phase(0.0, 0.0));
   undoIntersections(surface, input.before, execution.phase(0.0, 0.0));
   surface = this->withRightSizes(surface, input.distance, execution.phase(0.0, 0.0));
-  return input.isLast
-    ? finishWrap(surface, *this->Target, *this->Reference, this->Options, execution)
-    : surface;
+  if (input.isLast)
+  {
+    FinishedWrap finished =
+      finishWrap(surface, *this->Target, *this->Reference, this->Options, execution);
+    this->Creases = finished.creases;
+    return std::move(finished.surface);
+  }
+  return surface;
 }
 
 SurfaceMesh WrapRemesher::withRightSizes(

@@ -10,6 +10,7 @@
 #define EVOLVING_WRAP_REMESHER_H
 
 #include "Evolution/Remesher.h"
+#include "FeatureCapture/FeatureCoverage.h"
 #include "ShrinkWrap/ShrinkWrapOptions.h"
 #include "ShrinkWrap/WrapReference.h"
 #include "ShrinkWrap/WrapTarget.h"
@@ -36,10 +37,14 @@ public:
   SurfaceMesh withRightSizes(const SurfaceMesh& surface, const std::vector<double>& distance,
     const Execution& execution) const;
 
+  /// Of the finished surface.
+  const FeatureCoverage& creases() const { return this->Creases; }
+
 private:
   std::shared_ptr<const WrapTarget> Target;
   std::shared_ptr<const WrapReference> Reference;
   ShrinkWrapOptions Options;
+  FeatureCoverage Creases;
 };
 
 } // namespace evolving

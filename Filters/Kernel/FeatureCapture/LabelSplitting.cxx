@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FeatureCapture/LabelSplitting.h"
+
+#include "ParallelLoops.h"
+
+#include <deque>
+
+namespace evolving
+{
+
+namespace
+{
+
+/// In sizes: how far a new vertex moves onto its border, and what no split makes edges shorter
+/// than.
+constexpr double ReachSizes = 0.5;
+constexpr double ShortestSizes = 0.02;
+/// Where four labels meet splits would go on for ever: edges whose ends come of so many are left.
+constexpr int MostSplits = 2;
+/// A change of labels is found to this power of 1/2, in lengths of the edge.
+constexpr int Bisections = 12;
+
+/// Where the closest point of the target leaves the labels of an edge's beginning.
+struct LabelChange
+{
+  double place = 1.0; ///< 0 ... 1 along the edge
+  Index before = NoIndex;
+  Index after = NoIndex;
+};
+
+class Splitter
+{
+public:
+  Splitter(EditableSurface& surface, const TargetFeatures& features, VertexLabels& labels)
+    : Surface(surface)
+    , Features(features)
+    , Labels(labels)
+    , Splits(at(surface.vertexSlots()), 0)
+  {
+  }
+
+  void run()
+  {
+    std::deque<Index> edges;
+    for (Index e = 0; e < this->Surface.edgeSlots(); ++e)
+    {
+      edges.push_back(e);
+    }
+    while (!edges.empty())
+    {
+      const Index e = edges.front();
+      edges.pop_front();
+      const Index m = this->mustSplit(e) ? this->split(e) : NoIndex;
+      if (m != NoIndex)
+      {
+        // Those around have new numbers.
+        this->Surface.forEachOutgoing(m,
+          [&edges](Index out) {
+            edges.insert(edges.end(), { out, EditableSurface::next(out) });
+          });
+      }
+    }
+  }
+
+private:
+  bool mustSplit(Index e) const
+  {
+    if (!this->Surface.hasEdge(e))
+    {
+      return false;
+    }
+    const Index a = this->Surface.from(e);
+    const Index b = this->Surface.to(e);
+    const bool isHeld = this->Surface.isPinned(a) && this->Surface.isPinned(b);
+    return !isHeld && this->Splits[at(a)] + this->Splits[at(b)] < MostSplits &&
+      inBoth(this->Labels.of(a), this->Labels.of(b)).empty();
+  }
+
+  /// @return the new vertex; NoIndex when an end turned out to lie on the border itself
+  Index split(Index e)
+  {
+    const Index a = this->Surface.from(e);
+    const Index b = this->Surface.to(e);
+    const double size = this->Surface.size(a, b);
+    const LabelChange change = this->changeOn(e);
+    const double least = ShortestSizes * size / this->Surface.length(e);
+    if (!(change.place > least))
+    {
+      this->Labels.add(a, change.after);
+      return NoIndex;
+    }
+    if (!(change.place < 1.0 - least))
+    {
+      this->Labels.add(b, change.before);
+      return NoIndex;
+    }
+    const Vec3 point = this->along(e, change.place);
+    const Index m = this->Surface.split(
+      e, onBorder(this->Features, point, change.before, change.after, ReachSizes * size));
+    this->Labels.append(labelSet({ change.before, change.after }));
+    this->Splits.push_back(1 + std::max(this->Splits[at(a)], this->Splits[at(b)]));
+    return m;
+  }
+
+  LabelChange changeOn(Index e) const
+  {
+    const evolving::Labels& near = this->Labels.of(this->Surface.from(e));
+    LabelChange change{ 1.0, near.front(), this->labelAt(this->along(e, 1.0)) };
+    if (contains(near, change.after))
+    {
+      return { 1.0, change.after, change.after };
+    }
+    double low = 0.0;
+    for (int i = 0; i < Bisections; ++i)
+    {
+      const double middle = 0.5 * (low + change.place);
+      const Index label = this->labelAt(this->along(e, middle));
+      const bool isBefore = contains(near, label);
+      (isBefore ? low : change.place) = middle;
+      (isBefore ? change.before : change.after) = label;
+    }
+    return change;
+  }
+
+  Vec3 along(Index e, double t) const
+  {
+    const Vec3& from = this->Surface.point(this->Surface.from(e));
+    return from + t * (this->Surface.point(this->Surface.to(e)) - from);
+  }
+
+  Index labelAt(const Vec3& point) const { return this->Features.closestPoint(point).label; }
+
+  EditableSurface& Surface;
+  const TargetFeatures& Features;
+  VertexLabels& Labels;
+  std::vector<int> Splits; ///< how many, one after the other, made a vertex
+};
+
+} // namespace
+
+void splitLabelChanges(
+  EditableSurface& surface, const TargetFeatures& features, VertexLabels& labels)
+{
+  Splitter(surface, features, labels).run();
+}
+
+Vec3 onBorder(const TargetFeatures& features, const Vec3& point, Index a, Index b, double reach)
+{
+  const EdgePoint closest = features.borders().closest(point, a, b);
+  return closest.squaredDistance <= reach * reach ? closest.point : point;
+}
+
+} // namespace evolving
