@@ -61,7 +61,9 @@ class vtkPolyData;
 namespace evolving
 {
 class Execution;
+class Remesher;
 struct FlowOptions;
+struct SurfaceMesh;
 }
 
 class VTKEVOLVINGSURFACESFILTERS_EXPORT vtkSurfaceEvolution : public vtkPolyDataAlgorithm
@@ -412,6 +414,7 @@ private:
   void operator=(const vtkSurfaceEvolution&) = delete;
 
   evolving::FlowOptions Options() const;
+  std::shared_ptr<evolving::Remesher> NewElements(const evolving::SurfaceMesh& start) const;
   std::unique_ptr<EvolutionSeries> Solve(vtkPolyData* input, vtkImageData* field,
     const std::vector<int>& published, const evolving::Execution& execution);
 
