@@ -28,9 +28,6 @@ REPRESENTATIONS = {"HistoryChart": "HistoryChartRepresentation"}
 NOT_OFFERED = {
     ("ShrinkWrap", "PreserveFeatures"): "refused in this version",
     ("ShrinkWrap", "FeatureAngle"): "used with PreserveFeatures only",
-    ("SurfaceEvolution", "Remeshing"): "refused in this version but for Off",
-    ("SurfaceEvolution", "TargetEdgeLength"): "used with Remeshing only",
-    ("SurfaceEvolution", "RemeshingInterval"): "used with Remeshing only",
 }
 # A range with both ends becomes a slider. Where the upper end is a guard far above any sensible
 # value a slider is useless: the XML leaves that end out and the documentation names it.
@@ -40,6 +37,7 @@ WITHOUT_SLIDER = {
     ("ShrinkWrap", "NumberOfSteps"),
     ("SurfaceEvolution", "NumberOfSteps"),
     ("SurfaceEvolution", "OutputInterval"),
+    ("SurfaceEvolution", "RemeshingInterval"),
     ("SurfaceEvolution", "SmoothingSteps"),
     ("SurfaceEvolution", "SolverTolerance"),
     ("SurfaceEvolution", "TimeStep"),
