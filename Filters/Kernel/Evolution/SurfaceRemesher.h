@@ -35,6 +35,8 @@ struct SurfaceRemeshingOptions
  * Splits, collapses and flips edges and relaxes vertices along the smooth surface that the evolved
  * triangles stand for (CurvedReference), so that remeshing again and again does not shrink it.
  *
+ * - Good elements stay as they are, except at the end of the flow, where all are made as good as
+ *   can be.
  * - A component keeps at least some hundred vertices, however small it has become; one that has
  *   shrunk to a point (VanishedComponents) is left out when others remain.
  * - A boundary keeps its shape: its edges are split, and only vertices in a straight line vanish.

@@ -177,6 +177,23 @@ TEST(SurfaceRemesher, WhatHasShrunkToAPointIsLeftOut)
   EXPECT_EQ(editing::kindOf(*mesh), (editing::Kind{ 2, 0, 1 }));
 }
 
+TEST(SurfaceRemesher, MakesNoSelfIntersections)
+{
+  // Elements so coarse would cut through the sphere inside.
+  const SurfaceMesh nested =
+    shapes::together(icosphere(4), reversed(shapes::transformed(icosphere(4), 0.97, Vec3::Zero())));
+  const SurfaceMesh crossing =
+    shapes::together(icosphere(3), shapes::transformed(icosphere(3), 1.0, Vec3(1.0, 0.1, 0.2)));
+  for (const auto& options : { withEdges(Uniform, 0.4), withEdges(Adaptive, 0.4) })
+  {
+    const SurfaceMesh mesh = remeshed(nested, options);
+    EXPECT_TRUE(selfIntersections(mesh).empty());
+    EXPECT_EQ(editing::kindOf(mesh), (editing::Kind{ 4, 0, 2 }));
+    // What crosses itself already gets good elements all the same.
+    EXPECT_GT(smallestAngle(remeshed(crossing, options)), 35.0);
+  }
+}
+
 TEST(SurfaceRemesher, GoodElementsStayBetweenSteps)
 {
   const SurfaceMesh start = icosphere(3);
