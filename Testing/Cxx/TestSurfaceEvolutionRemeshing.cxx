@@ -3,7 +3,6 @@
 
 // vtkSurfaceEvolution with Remeshing: time steps of different connectivity.
 
-#include "ChangedSurfaces.h"
 #include "DataChecks.h"
 #include "EventLog.h"
 #include "FlowSetups.h"
@@ -11,7 +10,6 @@
 #include "SurfaceMeasures.h"
 
 #include "vtkDataArray.h"
-#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
