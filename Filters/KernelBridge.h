@@ -21,6 +21,7 @@
 #include "Evolution/ScalarImage.h"
 #include "Evolution/SurfaceFlow.h"
 #include "Evolution/SurfaceRedistribution.h"
+#include "Evolution/SurfaceRemesher.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
 #include "Mesh/TopologySummary.h"

@@ -128,6 +128,20 @@ evolving::FlowOptions vtkSurfaceEvolution::Options() const
 }
 
 //------------------------------------------------------------------------------
+/// Null for none.
+std::shared_ptr<evolving::Remesher> vtkSurfaceEvolution::NewElements(
+  const evolving::SurfaceMesh& start) const
+{
+  if (this->Remeshing == OFF)
+  {
+    return nullptr;
+  }
+  return std::make_shared<evolving::SurfaceRemesher>(start,
+    evolving::SurfaceRemeshingOptions{ static_cast<evolving::ElementSizing>(this->Remeshing),
+      this->TargetEdgeLength, static_cast<evolving::BoundaryMode>(this->BoundaryMode) });
+}
+
+//------------------------------------------------------------------------------
 int vtkSurfaceEvolution::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
@@ -183,12 +197,6 @@ int vtkSurfaceEvolution::RequestData(
   {
     return KernelBridge::RefuseUnlessEmpty(this, input);
   }
-  if (this->Remeshing != OFF)
-  {
-    vtkErrorMacro(<< "Remeshing is " << this->Remeshing
-                  << ", but this version supports Off (0) only; call SetRemeshingToOff().");
-    return 0;
-  }
   const auto published =
     evolving::publishedIterations(this->NumberOfSteps, this->SmoothingSteps, this->OutputInterval);
   const auto times = TimeSteps::Times(published, this->TimeStep);
@@ -214,19 +222,21 @@ int vtkSurfaceEvolution::RequestData(
 std::unique_ptr<EvolutionSeries> vtkSurfaceEvolution::Solve(vtkPolyData* input, vtkImageData* field,
   const std::vector<int>& published, const evolving::Execution& execution)
 {
-  const auto start =
-    std::make_shared<const evolving::SurfaceMesh>(StartSurface(KernelBridge::ReadSurface(input)));
+  const auto start = std::make_shared<const evolving::SurfaceMesh>(
+    StartSurface(this->Remeshing == OFF ? KernelBridge::ReadSurface(input)
+                                        : KernelBridge::ReadTriangles(input)));
   std::shared_ptr<const evolving::ScalarImage> image;
   if (field)
   {
     image = std::make_shared<const evolving::ScalarImage>(KernelBridge::ReadImage(field));
   }
   const evolving::FlowOptions options = this->Options();
+  const std::shared_ptr<evolving::Remesher> remesher = this->NewElements(*start);
   ++this->NumberOfSolves;
   auto series = std::make_unique<EvolutionSeries>(
     KernelBridge::PointType(input), image != nullptr,
-    [start, image, options](const evolving::Execution& host)
-    { return evolving::SurfaceFlow(start, image, nullptr, options, host); },
+    [start, image, remesher, options](const evolving::Execution& host)
+    { return evolving::SurfaceFlow(start, image, remesher, options, host); },
     published, Bytes(this->CacheLimit), execution);
   if (!series->Flow().stopReason().empty())
   {

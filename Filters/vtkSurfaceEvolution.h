@@ -29,8 +29,8 @@
  * No step turns an element over: where the flow would, at a neck that pinches off or at slivers,
  * points also move along the surface, go with those around them, or wait. A step that would turn
  * over more than a fifth of the elements is tried again in parts, and ends the run when that does
- * not help. A component that has
- * shrunk to a point stays there.
+ * not help. A component that has shrunk to a point stays there; with Remeshing it is left out where
+ * others remain.
  *
  * Output 1 is a vtkTable `History` with one row for every computed step.
  *
@@ -61,7 +61,9 @@ class vtkPolyData;
 namespace evolving
 {
 class Execution;
+class Remesher;
 struct FlowOptions;
+struct SurfaceMesh;
 }
 
 class VTKEVOLVINGSURFACESFILTERS_EXPORT vtkSurfaceEvolution : public vtkPolyDataAlgorithm
@@ -345,8 +347,13 @@ public:
 
   ///@{
   /**
-   * Change of the connectivity during the evolution. The default is OFF; this version refuses the
-   * other values.
+   * New elements during the evolution, by splitting, collapsing and flipping edges: OFF (the
+   * default), UNIFORM, of one size, or CURVATURE_ADAPTIVE, about as many that are smaller where the
+   * surface is curved. Points, polygons and arrays of a time step are those of its elements; the
+   * start is as it was, but polygons are split into triangles. New points lie on the smooth
+   * surface that the evolved triangles stand for, so that nothing shrinks. A boundary keeps its
+   * shape: its edges are split, and only points in a straight line vanish (others, too, where it is
+   * FREE). Creases are not kept as such. The genus stays, also where a neck has closed.
    */
   vtkSetClampMacro(Remeshing, int, OFF, CURVATURE_ADAPTIVE);
   vtkGetMacro(Remeshing, int);
@@ -357,7 +364,8 @@ public:
 
   ///@{
   /**
-   * Edge length that remeshing aims at, in length units; 0, the default, is automatic. Used with
+   * Mean edge length that remeshing aims at, in length units; 0, the default, is that of the start.
+   * A component keeps at least some hundred points, however small it has become. Used with
    * Remeshing.
    */
   vtkSetClampMacro(TargetEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
@@ -366,8 +374,8 @@ public:
 
   ///@{
   /**
-   * Every how many steps remeshing takes place. Used with Remeshing. The default is 1, the range 1
-   * and above.
+   * Every how many steps elements are looked at, and made anew where they are not good; the last
+   * state always has new ones. Used with Remeshing. The default is 1, the range 1 and above.
    */
   vtkSetClampMacro(RemeshingInterval, int, 1, 1000000);
   vtkGetMacro(RemeshingInterval, int);
@@ -412,6 +420,7 @@ private:
   void operator=(const vtkSurfaceEvolution&) = delete;
 
   evolving::FlowOptions Options() const;
+  std::shared_ptr<evolving::Remesher> NewElements(const evolving::SurfaceMesh& start) const;
   std::unique_ptr<EvolutionSeries> Solve(vtkPolyData* input, vtkImageData* field,
     const std::vector<int>& published, const evolving::Execution& execution);
 

@@ -67,21 +67,4 @@ TEST(SurfaceEvolutionEnd, ConvergenceEndsTheRunButNotTheTimes)
   EXPECT_LT(FieldValue(filter->GetOutput(), "MaxDistance"), 0.02);
 }
 
-//------------------------------------------------------------------------------
-TEST(SurfaceEvolutionEnd, RemeshingIsRefused)
-{
-  for (const int mode : { vtkSurfaceEvolution::UNIFORM, vtkSurfaceEvolution::CURVATURE_ADAPTIVE })
-  {
-    vtkNew<vtkSurfaceEvolution> filter;
-    EventLog log(filter);
-    filter->SetInputData(Sample::Icosphere(1));
-    filter->SetRemeshing(mode);
-    filter->Update();
-    ASSERT_EQ(log.Errors.size(), 1u);
-    EXPECT_EQ(log.Errors.front().find("Remeshing is"), 0u);
-    EXPECT_TRUE(IsOneSentence(log.Errors.front()));
-    EXPECT_TRUE(IsInitialized(filter->GetOutput()));
-  }
-}
-
 } // namespace

@@ -26,9 +26,6 @@ PROXIES = {
 REPRESENTATIONS = {"HistoryChart": "HistoryChartRepresentation"}
 # Setters without a property, and why.
 NOT_OFFERED = {
-    ("SurfaceEvolution", "Remeshing"): "refused in this version but for Off",
-    ("SurfaceEvolution", "TargetEdgeLength"): "used with Remeshing only",
-    ("SurfaceEvolution", "RemeshingInterval"): "used with Remeshing only",
 }
 # A range with both ends becomes a slider. Where the upper end is a guard far above any sensible
 # value a slider is useless: the XML leaves that end out and the documentation names it.
@@ -38,6 +35,7 @@ WITHOUT_SLIDER = {
     ("ShrinkWrap", "NumberOfSteps"),
     ("SurfaceEvolution", "NumberOfSteps"),
     ("SurfaceEvolution", "OutputInterval"),
+    ("SurfaceEvolution", "RemeshingInterval"),
     ("SurfaceEvolution", "SmoothingSteps"),
     ("SurfaceEvolution", "SolverTolerance"),
     ("SurfaceEvolution", "TimeStep"),

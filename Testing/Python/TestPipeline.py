@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The filters as scripts use them: in pipelines, with NumPy, step by step."""
 
+import math
 import unittest
 
 import evolvingsurfaces as es
@@ -125,6 +126,27 @@ class Steps(unittest.TestCase):
             exact = np.sqrt(1.0 - 4.0 * time)
             self.assertLess(np.abs(radii(self.evolution.GetOutput()) - exact).max(), 0.02)
         self.assertEqual(self.evolution.GetNumberOfSolves(), 1)
+
+    def test_remeshing_changes_the_number_of_points_on_the_way(self):
+        evolution = es.vtkSurfaceEvolution()
+        evolution.SetInputData(icosphere(3))
+        evolution.SetNumberOfSteps(20)
+        evolution.RelativeUnitsOff()
+        evolution.SetCurvatureSpeed(1.0)
+        evolution.SetTimeStep(0.01)
+        evolution.SetRemeshing(es.vtkSurfaceEvolution.UNIFORM)
+        counts = []
+        for step in (0, 10, 20):
+            evolution.UpdateTimeStep(step * 0.01)
+            output = evolution.GetOutput()
+            counts.append(output.GetNumberOfPoints())
+            radius = math.sqrt(1.0 - 0.04 * step)
+            self.assertLess(np.abs(radii(output) - radius).max(), 0.15 * radius)
+            normals = output.GetPointData().GetArray("Normals")
+            self.assertEqual(normals.GetNumberOfTuples(), counts[-1])
+        self.assertEqual(counts[0], 642)
+        self.assertEqual(counts, sorted(counts, reverse=True))
+        self.assertLess(counts[2], 200)
 
     def test_a_kept_output_does_not_change(self):
         self.evolution.UpdateTimeStep(0.0)

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * New elements of the right size for a surface that evolves, wherever it goes.
+ */
+
+#ifndef EVOLVING_SURFACE_REMESHER_H
+#define EVOLVING_SURFACE_REMESHER_H
+
+#include "Evolution/FlowOptions.h"
+#include "Evolution/Remesher.h"
+#include "Execution.h"
+#include "Mesh/SurfaceMesh.h"
+
+namespace evolving
+{
+
+/// How large elements are where.
+enum class ElementSizing
+{
+  Uniform = 1,
+  CurvatureAdaptive = 2, ///< about as many as uniform ones, smaller where the surface is curved
+};
+
+struct SurfaceRemeshingOptions
+{
+  ElementSizing sizing = ElementSizing::Uniform;
+  double edgeLength = 0.0; ///< 0 = the mean of the start's edges
+  BoundaryMode boundaryMode = BoundaryMode::Fixed;
+};
+
+/**
+ * Splits, collapses and flips edges and relaxes vertices along the smooth surface that the evolved
+ * triangles stand for (CurvedReference), so that remeshing again and again does not shrink it.
+ *
+ * - Good elements stay as they are, except at the end of the flow, where all are made as good as
+ *   can be.
+ * - A component keeps at least some hundred vertices, however small it has become; one that has
+ *   shrunk to a point (VanishedComponents) is left out when others remain.
+ * - A boundary keeps its shape: its edges are split, and only vertices in a straight line vanish.
+ *   A boundary that moves freely may lose other ones as well.
+ * - Where the surface comes without self-intersections, remeshing makes none.
+ */
+class SurfaceRemesher : public Remesher
+{
+public:
+  /// @param start of triangles. @throws InputError as MeshTopology
+  SurfaceRemesher(const SurfaceMesh& start, const SurfaceRemeshingOptions& options);
+
+  /// What edges should be as long as, in the mean.
+  double edgeLength() const { return this->Options.edgeLength; }
+
+  /// @throws InputError when a face is not a triangle. @throws Cancelled
+  std::optional<SurfaceMesh> remesh(
+    const RemeshingInput& input, const Execution& execution) override;
+
+private:
+  SurfaceRemeshingOptions Options;
+  double SmallestComponent; ///< area of one at the start
+};
+
+} // namespace evolving
+
+#endif
