@@ -58,6 +58,7 @@ public:
     , Reference(reference)
     , Options(options)
     , Size(sizeForEdges(target.edgeLength))
+    , Offset(target.offset)
     , IsOnTarget(reference.isOnTarget())
     , Run(execution)
   {
@@ -81,6 +82,10 @@ public:
       this->stage(0.9, 0.95, &Finish::reachPeaks);
     }
     this->stage(0.95, 1.0, &Finish::repair);
+    if (this->Offset > 0.0)
+    {
+      this->stage(1.0, 1.0, &Finish::land); // the offset is a promise for vertices
+    }
     return this->Surface.mesh();
   }
 
@@ -178,6 +183,7 @@ private:
   const WrapReference& Reference;
   const ShrinkWrapOptions& Options;
   double Size;
+  double Offset;
   bool IsOnTarget;
   const Execution& Run;
 };
