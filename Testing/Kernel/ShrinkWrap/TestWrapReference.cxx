@@ -106,6 +106,27 @@ TEST(WrapReference, ADoubleSidedSheetIsAWall)
   EXPECT_NEAR((foot.point - Vec3(1.0, 0.0, 0.0)).norm(), wall, 1e-12);
 }
 
+TEST(WrapReference, BesideTwoSheetsThatMeetItKeepsAwayFromBoth)
+{
+  // Two sheets at a right angle along the y axis: the closest point of either is too near the
+  // other.
+  SurfaceMesh upright = sheetOfSide(2.0, 12);
+  for (Vec3& p : upright.points)
+  {
+    p = Vec3(0.0, p.y(), p.x());
+  }
+  const auto reference = referenceFor(shapes::together(sheetOfSide(2.0, 12), upright));
+  const double wall = 0.3 * 0.15;
+  for (const Vec3& point : { Vec3(0.02, 0.1, 0.03), Vec3(0.06, 0.1, 0.01), Vec3(0.01, 0.1, 0.02) })
+  {
+    const Vec3 foot =
+      reference->onSurface(point, Vec3(1.0, 0.0, 1.0).normalized(), 0, NoIndex).point;
+    EXPECT_GT(foot.x(), 0.97 * wall);
+    EXPECT_GT(foot.z(), 0.97 * wall);
+    EXPECT_LT(foot.x() + foot.z(), 3.0 * wall);
+  }
+}
+
 TEST(WrapReference, AThinSolidPlateIsNoSheet)
 {
   // Thinner than a wall would be, than a cell and than the ball.
