@@ -165,6 +165,35 @@ TEST(ElementRepair, LeavesLockedFacesAndFeaturesAlone)
   EXPECT_TRUE(Content(surface) == before);
 }
 
+TEST(ElementRepair, ALockedFaceStaysWhateverHappensAround)
+{
+  for (unsigned seed = 0; seed < 12; ++seed)
+  {
+    const SurfaceMesh mesh = shapes::shakenSphere(2, 0.2, seed);
+    EditableSurface surface = shapes::sized(mesh, 0.3);
+    Index worst = 0;
+    for (Index f = 1; f < mesh.faceCount(); ++f)
+    {
+      worst = smallestAngle(mesh, f) < smallestAngle(mesh, worst) ? f : worst;
+    }
+    std::set<Place> corners;
+    for (Index k = 0; k < 3; ++k)
+    {
+      surface.setLocked(mesh.faceVertex(worst, k));
+      corners.insert(placeOf(mesh.facePoint(worst, k)));
+    }
+    EXPECT_GT(repairElements(surface, shapes::ExactSphere(), Sound), 0);
+    Index found = 0;
+    for (Index f = 0; f < surface.faceSlots(); ++f)
+    {
+      const std::set<Place> places = { placeOf(surface.corner(f, 0)), placeOf(surface.corner(f, 1)),
+        placeOf(surface.corner(f, 2)) };
+      found += places == corners ? 1 : 0;
+    }
+    EXPECT_EQ(found, 1) << seed;
+  }
+}
+
 TEST(ElementRepair, CreasesOfABoxStay)
 {
   constexpr double Least = 30.0;
