@@ -24,9 +24,6 @@ PROXIES = {
 }
 # Files without a proxy of one of the classes, and what their proxy is.
 REPRESENTATIONS = {"HistoryChart": "HistoryChartRepresentation"}
-# Setters without a property, and why.
-NOT_OFFERED = {
-}
 # A range with both ends becomes a slider. Where the upper end is a guard far above any sensible
 # value a slider is useless: the XML leaves that end out and the documentation names it.
 WITHOUT_SLIDER = {
@@ -217,8 +214,7 @@ class XMLTest(unittest.TestCase):
                 plain = {s for s in setters if "To" not in s or hasattr(proxy.type, "Get" + s)}
                 offered = {p.get("name") for p in proxy.properties}
                 offered |= {p.get("name") + "Connection" for p in proxy.inputs}
-                left_out = {name for owner, name in NOT_OFFERED if owner == proxy.name}
-                self.assertEqual(plain - offered, left_out)
+                self.assertEqual(plain - offered, set())
 
     def test_texts(self):
         for proxy in PROXY_OF_FILE.values():

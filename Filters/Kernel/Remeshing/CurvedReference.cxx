@@ -54,10 +54,14 @@ CurvedReference::CurvedReference(const SurfaceMesh& triangles, const Execution& 
 }
 
 ReferenceSurface::Foot CurvedReference::onSurface(
-  const Vec3& point, const Vec3& /*facing*/, Index /*label*/, Index guess) const
+  const Vec3& point, const Vec3& facing, Index /*label*/, Index guess) const
 {
   const ClosestTriangle closest =
     this->Tree.closest(point, std::numeric_limits<double>::infinity(), guess);
+  if (closest.triangle == NoIndex)
+  {
+    return { point, facing, NoIndex };
+  }
   const Triangle& triangle = this->Tree.triangle(closest.triangle);
   const Vec3 normal = triangle.doubleAreaNormal().stableNormalized();
   const Vec3 weights = barycentricCoordinates(triangle, closest.at.point);

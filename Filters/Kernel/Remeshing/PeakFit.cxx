@@ -33,7 +33,8 @@ Triangle triangleOf(const EditableSurface& surface, Index f)
   return { { surface.corner(f, 0), surface.corner(f, 1), surface.corner(f, 2) } };
 }
 
-/// Which face is closest to each sample, and how far away it is.
+/// Which face is closest to each sample, and how far away it is: NoIndex and infinitely far when
+/// there is no face.
 struct SampleDistances
 {
   std::vector<Index> face;
@@ -42,7 +43,7 @@ struct SampleDistances
   SampleDistances(
     const EditableSurface& surface, const std::vector<Vec3>& samples, const Execution& execution)
     : face(samples.size(), NoIndex)
-    , distance(samples.size(), 0.0)
+    , distance(samples.size(), std::numeric_limits<double>::infinity())
   {
     std::vector<Index> slot;
     for (Index f = 0; f < surface.faceSlots(); ++f)
@@ -51,6 +52,10 @@ struct SampleDistances
       {
         slot.push_back(f);
       }
+    }
+    if (slot.empty())
+    {
+      return;
     }
     const AABBTree tree(surface.mesh(), execution.phase(0.0, 0.5));
     execution.phase(0.5, 1.0).forRange(static_cast<std::int64_t>(samples.size()),
@@ -116,7 +121,11 @@ public:
     for (std::size_t s = 0; s < this->Samples.size(); ++s)
     {
       const Index f = this->FaceOfSample[s];
-      const double size = f == NoIndex ? 0.0 : this->Surface.size(this->Surface.from(3 * f));
+      if (f == NoIndex)
+      {
+        continue;
+      }
+      const double size = this->Surface.size(this->Surface.from(3 * f));
       if (this->Distance[s] > this->Options.tolerance * size &&
         this->Distance[s] < this->farthestFor(s) * size)
       {
@@ -153,6 +162,10 @@ private:
     }
     for (std::size_t s = 0; s < this->Samples.size(); ++s)
     {
+      if (this->FaceOfSample[s] == NoIndex)
+      {
+        continue;
+      }
       this->SamplesOfFace[at(this->FaceOfSample[s])].push_back(s);
     }
   }
@@ -326,7 +339,8 @@ std::vector<Vec3> samplesBeyond(const EditableSurface& surface, const std::vecto
   std::vector<Vec3> beyond;
   for (std::size_t s = 0; s < samples.size(); ++s)
   {
-    if (distances.distance[s] > tolerance * surface.size(surface.from(3 * distances.face[s])))
+    const Index f = distances.face[s];
+    if (f == NoIndex || distances.distance[s] > tolerance * surface.size(surface.from(3 * f)))
     {
       beyond.push_back(samples[s]);
     }

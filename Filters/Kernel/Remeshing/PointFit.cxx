@@ -43,6 +43,10 @@ std::vector<Attachment> attach(
       for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
         const ClosestTriangle closest = tree.closest(points[i]);
+        if (closest.triangle == NoIndex)
+        {
+          continue;
+        }
         const Vec3 weights =
           barycentricCoordinates(tree.triangle(closest.triangle), closest.at.point);
         if (weights.allFinite())
@@ -128,6 +132,10 @@ void fitToPoints(EditableSurface& surface, const std::vector<Vec3>& points, doub
   int iterations, const Execution& execution)
 {
   surface.compact();
+  if (surface.faceSlots() == 0)
+  {
+    return;
+  }
   for (int i = 0; i < iterations; ++i)
   {
     PointFit fit(surface);

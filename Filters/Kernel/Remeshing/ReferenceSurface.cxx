@@ -25,6 +25,10 @@ ReferenceSurface::Foot OffsetReference::onSurface(
 {
   const ClosestTriangle closest =
     this->Tree.closest(point, std::numeric_limits<double>::infinity(), guess);
+  if (closest.triangle == NoIndex)
+  {
+    return { point, facing, NoIndex };
+  }
   const Vec3& foot = closest.at.point;
   if (this->Offset > 0.0)
   {

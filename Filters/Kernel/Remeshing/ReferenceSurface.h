@@ -31,7 +31,7 @@ public:
   virtual ~ReferenceSurface() = default;
 
   /**
-   * The place of the reference that belongs to a point.
+   * The place of the reference that belongs to a point; of one without faces the point itself.
    * @param facing the normal of the surface there
    * @param label of the faces there, EditableSurface::label()
    * @param guess a triangle that may be close; a number of none is no guess

@@ -22,9 +22,10 @@ namespace evolving
  * That surface is then fitted to the points by least squares (PointFit.h), which takes noise and
  * the bridges over concave parts away. Points that enclose nothing, as those of a sheet, get a thin
  * closed wall.
- * @param points at least two different ones
+ * @param points in any order; one given twice counts once
  * @param options sampleDimensions, and gapSize: the balls' diameter, 0 = found as said
  * @return closed, 2-manifold, outwards, of triangles
+ * @throws InputError for fewer than four different points, or points on a line: they bound nothing
  * @throws Cancelled
  */
 SurfaceMesh surfaceAmidst(

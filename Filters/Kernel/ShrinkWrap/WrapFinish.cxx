@@ -72,6 +72,7 @@ public:
     , Reference(reference)
     , Options(options)
     , Size(sizeForEdges(target.edgeLength))
+    , Offset(target.offset)
     , IsOnTarget(reference.isOnTarget())
     , Run(execution)
   {
@@ -111,6 +112,10 @@ public:
       this->stage(0.9, 0.95, &Finish::reachPeaks);
     }
     this->stage(0.95, 1.0, &Finish::repair);
+    if (this->Offset > 0.0)
+    {
+      this->stage(1.0, 1.0, &Finish::land); // the offset is a promise for vertices
+    }
     return { this->Surface.mesh(), this->coverage() };
   }
 
@@ -250,6 +255,7 @@ private:
   std::optional<FeatureReference> OnFeatures;
   const ShrinkWrapOptions& Options;
   double Size;
+  double Offset;
   bool IsOnTarget;
   const Execution& Run;
 };

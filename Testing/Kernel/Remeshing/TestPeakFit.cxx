@@ -131,6 +131,25 @@ TEST(PeakFit, FeaturesAndPinsStay)
   }
 }
 
+TEST(PeakFit, OfAnEmptySurfaceAllSamplesAreBeyond)
+{
+  EditableSurface empty{ SurfaceMesh() };
+  const SurfaceMesh target = icosphere(1);
+  EXPECT_EQ(samplesBeyond(empty, target.points, 0.1), target.points);
+  EXPECT_EQ(fitPeaks(empty, OffsetReference(target, 0.0), target.points, {}), 0);
+  EditableSurface surface = bluntCone();
+  EXPECT_EQ(fitPeaks(surface, OffsetReference(target, 0.0), {}, {}), 0);
+}
+
+TEST(PeakFit, OnAnEmptyReferenceNoPeakIsReachedButSamplesAre)
+{
+  // A reference without faces is wherever one asks: only the samples have a distance.
+  EditableSurface surface = bluntCone();
+  const SurfaceMesh target = cone(24);
+  EXPECT_EQ(fitPeaks(surface, OffsetReference({}, 0.0), samplesOf(target, 0.05), {}), 1);
+  EXPECT_LT((surface.point(0) - Vec3(0.0, 0.0, Slope)).norm(), 0.02);
+}
+
 TEST(PeakFit, IsTheSameOnAnyThreads)
 {
   const SurfaceMesh target = shapes::bumpySphere(4);

@@ -70,4 +70,55 @@ TEST(SurfaceReport, SaysWhatIsWrongAndWhere)
   EXPECT_NE(sentences[1].find("membrane"), std::string::npos);
 }
 
+TEST(SurfaceReport, SaysThatASurfaceIsOpenOrRunsThroughItself)
+{
+  SurfaceMesh open = icosphere(2);
+  open.cornerVertices.resize(open.cornerVertices.size() - 3);
+  open.faceOffsets.pop_back();
+  const std::vector<std::string> ofOpen = shortcomings(examine(open, fromSphere(1.0)), 0.3);
+  ASSERT_EQ(ofOpen.size(), 1u);
+  EXPECT_NE(ofOpen[0].find("not a closed manifold"), std::string::npos);
+  // Two spheres that overlap.
+  SurfaceMesh crossing = icosphere(3);
+  const SurfaceMesh other = icosphere(3, 1.0, Vec3(1.7, 0.0, 0.0));
+  for (Index f = 0; f < other.faceCount(); ++f)
+  {
+    const Index shift = icosphere(3).vertexCount();
+    crossing.addFace({ shift + other.faceVertex(f, 0), shift + other.faceVertex(f, 1),
+      shift + other.faceVertex(f, 2) });
+  }
+  crossing.points.insert(crossing.points.end(), other.points.begin(), other.points.end());
+  const SurfaceReport report = examine(crossing, [](const Vec3&) { return 0.0; });
+  EXPECT_NEAR(report.intersectionPlace.x(), 0.85, 0.15);
+  const std::vector<std::string> ofCrossing = shortcomings(report, 0.15);
+  ASSERT_EQ(ofCrossing.size(), 1u);
+  const std::string count = std::to_string(report.selfIntersections) + " pairs";
+  EXPECT_NE(ofCrossing[0].find(count), std::string::npos) << ofCrossing[0];
+}
+
+TEST(SurfaceReport, BoundsAreTwentyDegreesAndTwoEdges)
+{
+  SurfaceReport report;
+  report.isClosed = true;
+  report.isManifold = true;
+  report.minAngle = 20.0;
+  report.maxDistance = 0.4;
+  EXPECT_TRUE(shortcomings(report, 0.2).empty());
+  EXPECT_EQ(shortcomings(report, 0.19).size(), 1u);
+  report.minAngle = 19.9;
+  EXPECT_EQ(shortcomings(report, 0.2).size(), 1u);
+  report.isManifold = false;
+  report.selfIntersections = 1;
+  report.maxDistance = 0.5;
+  EXPECT_EQ(shortcomings(report, 0.2).size(), 4u);
+}
+
+TEST(SurfaceReport, OfAnEmptySurfaceIsAllZero)
+{
+  const SurfaceReport report = examine({}, fromSphere(1.0));
+  EXPECT_EQ(report.minAngle, 0.0);
+  EXPECT_EQ(report.maxDistance, 0.0);
+  EXPECT_EQ(report.selfIntersections, 0);
+}
+
 } // namespace

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What becomes of inputs that are no clean closed surface.
+
+#include "Errors.h"
+#include "Mesh/HoleyShapes.h"
+#include "Mesh/MeshVariants.h"
+#include "Remeshing/RemeshingShapes.h"
+#include "ShrinkWrap/WrapRuns.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace
+{
+
+using namespace evolving;
+using namespace evolving::wraps;
+
+SurfaceMesh triangleOf(const Vec3& a, const Vec3& b, const Vec3& c)
+{
+  SurfaceMesh mesh;
+  mesh.points = { a, b, c };
+  mesh.addFace({ 0, 1, 2 });
+  return mesh;
+}
+
+TEST(ShrinkWrapInputs, OrientationDoesNotMatter)
+{
+  const SurfaceMesh torus = shapes::torusGrid(48, 24, 1.0, 0.4, true);
+  const SurfaceMesh result = wrap(torus, quick(0.12));
+  std::mt19937 generator(3);
+  SurfaceMesh mixed = torus;
+  for (std::size_t f = 0; f < mixed.cornerVertices.size(); f += 3)
+  {
+    if (generator() % 2 == 0)
+    {
+      std::swap(mixed.cornerVertices[f], mixed.cornerVertices[f + 1]);
+    }
+  }
+  for (const SurfaceMesh& input : { reversed(torus), mixed, soupOf(torus) })
+  {
+    const SurfaceMesh other = wrap(input, quick(0.12));
+    expectSound(other, 1);
+    EXPECT_LT(hausdorff(other, torus, 0.05), 0.01);
+    EXPECT_NEAR(signedVolume(other), signedVolume(result), 0.002 * signedVolume(result));
+  }
+}
+
+TEST(ShrinkWrapInputs, OverlappingPartsBecomeTheirUnion)
+{
+  // Two unit balls one apart: of both a lens of 5 pi / 12 is shared.
+  const SurfaceMesh ball = icosphere(4);
+  const SurfaceMesh other = shapes::transformed(ball, 1.0, Vec3::UnitX());
+  const SurfaceMesh result = wrap(shapes::together(ball, reversed(other)), quick(0.1, 64));
+  expectSound(result, 0);
+  EXPECT_NEAR(signedVolume(result), (8.0 / 3.0 - 5.0 / 12.0) * shapes::Pi, 0.08);
+}
+
+TEST(ShrinkWrapInputs, InnerGeometryLeavesNoTrace)
+{
+  const SurfaceMesh ball = icosphere(4);
+  SurfaceMesh filled = shapes::together(ball, shapes::transformed(ball, 0.5, Vec3(0.2, 0.1, 0.0)));
+  filled = shapes::together(
+    filled, shapes::transformed(shapes::sheet(4, true), 0.8, Vec3(-0.4, -0.4, 0.3)));
+  const SurfaceMesh result = wrap(filled);
+  expectSound(result, 0);
+  EXPECT_LT(hausdorff(result, ball, 0.05), 0.01);
+}
+
+TEST(ShrinkWrapInputs, GapSizeDecidesWhatIsEntered)
+{
+  // A bowl whose mouth is 2 sin(0.5) = 0.96 wide.
+  const SurfaceMesh bowl = testing_holes::drilledSphere({ Vec3::UnitZ() }, 0.5);
+  ShrinkWrapOptions options = quick(0.1, 64);
+  const SurfaceMesh entered = wrap(bowl, options);
+  expectSound(entered, 0);
+  EXPECT_NEAR(surfaceArea(entered), 2.0 * surfaceArea(bowl), 0.15 * surfaceArea(bowl));
+  EXPECT_LT(signedVolume(entered), 1.2);
+  options.gapSize = 1.2;
+  const SurfaceMesh closed = wrap(bowl, options);
+  expectSound(closed, 0);
+  EXPECT_GT(signedVolume(closed), 0.95 * 4.0 / 3.0 * shapes::Pi);
+}
+
+TEST(ShrinkWrapInputs, AnOpenSheetBecomesAThinWall)
+{
+  const auto height = [](const Vec3& p)
+  { return 0.2 * std::sin(3.0 * p.x()) * std::cos(2.0 * p.y()); };
+  SurfaceMesh sheet = shapes::transformed(shapes::sheet(24, true), 2.0, Vec3(-1.0, -1.0, 0.0));
+  for (Vec3& p : sheet.points)
+  {
+    p.z() = height(p);
+  }
+  const double edge = 0.1;
+  const double wall = 0.3 * edge;
+  const SurfaceMesh result = wrap(sheet, quick(edge, 64));
+  expectSound(result, 0);
+  // The rim, 8 long, draws back by less than an element; there elements are larger than the wall is
+  // thick.
+  EXPECT_NEAR(surfaceArea(result), 2.0 * surfaceArea(sheet), 2.0 * 8.0 * edge);
+  EXPECT_NEAR(
+    signedVolume(result), 2.0 * wall * surfaceArea(sheet), 0.4 * wall * surfaceArea(sheet));
+  EXPECT_LT(farthest(result, sheet, 0.05), 2.5 * wall);
+  EXPECT_LT(farthest(sheet, result, 0.05), 3.0 * edge); // at its corners
+  const AABBTree tree(sheet);
+  double largest = 0.0;
+  for (const Vec3& p : result.points)
+  {
+    const double distance = std::sqrt(tree.closest(p).at.squaredDistance);
+    const bool isInner = p.cwiseAbs().head<2>().maxCoeff() < 1.0 - 3.0 * edge;
+    largest = isInner ? std::max(largest, std::abs(distance - wall)) : largest;
+  }
+  EXPECT_LT(largest, 0.2 * wall);
+}
+
+TEST(ShrinkWrapInputs, OneTriangleBecomesAThinWall)
+{
+  const SurfaceMesh triangle = triangleOf(Vec3::Zero(), Vec3(2.0, 0.3, 0.1), Vec3(0.4, 1.8, 0.9));
+  const SurfaceMesh result = wrap(triangle, quick(0.1, 64));
+  expectSound(result, 0);
+  EXPECT_LT(farthest(result, triangle, 0.05), 2.5 * 0.03);
+  EXPECT_NEAR(surfaceArea(result), 2.0 * surfaceArea(triangle), 0.5 * surfaceArea(triangle));
+}
+
+TEST(ShrinkWrapInputs, DegenerateTrianglesAndUnusedPointsAreLeftOut)
+{
+  const SurfaceMesh ball = icosphere(3);
+  SurfaceMesh dirty = ball;
+  dirty.addFace({ 0, 0, 1 });
+  dirty.addFace({ 5, 5, 5 });
+  dirty.addPoint(Vec3(100.0, 0.0, 0.0));
+  EXPECT_TRUE(wrap(dirty, quick(0.2, 32)) == wrap(ball, quick(0.2, 32)));
+}
+
+TEST(ShrinkWrapInputs, FacesGivenTwiceChangeNothingMuch)
+{
+  const SurfaceMesh ball = icosphere(3);
+  const SurfaceMesh result = wrap(shapes::together(ball, reversed(ball)), quick(0.2, 32));
+  expectSound(result, 0);
+  EXPECT_LT(hausdorff(result, ball, 0.05), 0.02);
+}
+
+std::string refusal(const SurfaceMesh& input, const ShrinkWrapOptions& options = {})
+{
+  try
+  {
+    prepareShrinkWrap(input, options);
+  }
+  catch (const InputError& error)
+  {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(ShrinkWrapInputs, WhatCannotBeWrappedIsRefusedInOneSentence)
+{
+  const Vec3 nowhere(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+  const Vec3 far(0.0, std::numeric_limits<double>::infinity(), 0.0);
+  const Vec3 one = Vec3::Ones();
+  SurfaceMesh equalPoints;
+  equalPoints.points = { one, one, one };
+  SurfaceMesh lostPoints = equalPoints;
+  lostPoints.points = { one, nowhere, far };
+  SurfaceMesh wrongNumber = triangleOf(one, Vec3::Zero(), Vec3::UnitX());
+  wrongNumber.cornerVertices[1] = 3;
+  const std::vector<std::pair<SurfaceMesh, std::string>> cases = {
+    { {}, "single point or empty" },
+    { equalPoints, "single point or empty" },
+    { triangleOf(one, one, one), "single point or empty" },
+    { triangleOf(one, Vec3::Zero(), -one), "no area" },
+    { triangleOf(one, nowhere, Vec3::Zero()), "finite" },
+    { triangleOf(one, far, Vec3::Zero()), "finite" },
+    { lostPoints, "finite" },
+    { wrongNumber, "" },
+  };
+  for (const auto& [input, words] : cases)
+  {
+    const std::string sentence = refusal(input);
+    ASSERT_FALSE(sentence.empty()) << words;
+    EXPECT_NE(sentence.find(words), std::string::npos) << sentence;
+    EXPECT_EQ(sentence.back(), '.');
+  }
+}
+
+} // namespace

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ShrinkWrap/WrapTarget.h"
+
+#include "Errors.h"
+#include "Mesh/HoleyShapes.h"
+#include "Mesh/TopologySummary.h"
+#include "Remeshing/RemeshingShapes.h"
+#include "ShrinkWrap/OuterRegion.h"
+#include "ShrinkWrap/WrapRuns.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+using namespace evolving;
+using namespace evolving::testing_holes;
+
+/// How well the start comes to the origin: 0 or 1.
+double reachesOrigin(const SurfaceMesh& mesh, const ShrinkWrapOptions& options)
+{
+  const WrapTarget target = describeTarget(mesh, options, {});
+  const OuterRegion region(target.grid, target.startField, target.startLevel);
+  return region.reachable(Vec3::Zero());
+}
+
+TEST(WrapTarget, LengthsFollowFromTheOptions)
+{
+  ShrinkWrapOptions options = wraps::quick(0.2);
+  options.offsetDistance = 0.3;
+  const WrapTarget target = describeTarget(icosphere(4), options, {});
+  EXPECT_NEAR(target.area, 4.0 * Pi, 0.04);
+  EXPECT_EQ(target.edgeLength, 0.2);
+  EXPECT_NEAR(target.wall, 0.06, 1e-15);
+  EXPECT_EQ(target.offset, 0.3);
+  EXPECT_NEAR(target.startLevel, 0.3 + 0.1, 1e-15);
+  EXPECT_LT(target.cellSize(), 0.125); // else the start level would follow from the cells
+  options.sampleDimensions = { 16, 16, 16 };
+  const WrapTarget coarse = describeTarget(icosphere(4), options, {});
+  EXPECT_NEAR(coarse.startLevel, 0.3 + 0.8 * coarse.cellSize(), 1e-15);
+  options.targetEdgeLength = 0.0;
+  EXPECT_EQ(describeTarget(icosphere(4), options, {}).edgeLength, defaultEdgeLength(target.area));
+}
+
+TEST(WrapTarget, DistancesAreThoseOfTheSurface)
+{
+  const WrapTarget target = describeTarget(icosphere(4), wraps::quick(), {});
+  for (int k = 0; k < target.grid.dimension(2); k += 3)
+  {
+    for (int i = 0; i < target.grid.dimension(0); i += 3)
+    {
+      const auto sample = static_cast<std::size_t>(target.grid.index(i, 17, k));
+      const double radius = target.grid.point(i, 17, k).norm();
+      EXPECT_NEAR(target.signedDistance[sample], radius - 1.0, 0.003);
+      EXPECT_EQ(target.distance[sample], std::abs(target.signedDistance[sample]));
+    }
+  }
+}
+
+TEST(WrapTarget, HolesOfAScanAreFilledAndOpeningsAreNot)
+{
+  const SurfaceMesh scan = drilledSphere({ Vec3::UnitX(), Vec3::UnitZ() }, 0.15);
+  ASSERT_FALSE(summarizeTopology(scan).isClosed());
+  const WrapTarget filled = describeTarget(scan, wraps::quick(0.02), {});
+  EXPECT_TRUE(summarizeTopology(filled.surface).isClosed());
+  EXPECT_NEAR(filled.area, 4.0 * Pi, 0.4);
+  const SurfaceMesh bowl = drilledSphere({ Vec3::UnitZ() }, 1.0);
+  EXPECT_FALSE(summarizeTopology(describeTarget(bowl, wraps::quick(), {}).surface).isClosed());
+  // Its mouth is 2 sin(1) = 1.68 wide.
+  ShrinkWrapOptions options = wraps::quick();
+  options.gapSize = 1.5;
+  EXPECT_FALSE(summarizeTopology(describeTarget(bowl, options, {}).surface).isClosed());
+  options.gapSize = 1.9;
+  EXPECT_TRUE(summarizeTopology(describeTarget(bowl, options, {}).surface).isClosed());
+}
+
+/// A unit sphere without what lies within half a width of its equator's plane.
+SurfaceMesh crackedSphere(double width)
+{
+  const SurfaceMesh half = shapes::halfSphere(24);
+  const Vec3 up(0.0, 0.0, 0.5 * width);
+  return shapes::together(
+    shapes::transformed(half, 1.0, up), shapes::transformed(reversed(half), -1.0, -up));
+}
+
+TEST(WrapTarget, CracksCloseUpToTwoEdgesWiderThanTheStartLevelCloses)
+{
+  // The start level is 0.05, so cracks below 0.1 close by it, and below 0.3 by the search.
+  const ShrinkWrapOptions automatic = wraps::quick(0.1, 64);
+  for (const double width : { 0.06, 0.12, 0.18, 0.24 })
+  {
+    EXPECT_EQ(reachesOrigin(crackedSphere(width), automatic), 0.0) << width;
+  }
+  EXPECT_EQ(reachesOrigin(crackedSphere(0.45), automatic), 1.0);
+  // A gap size says so itself.
+  ShrinkWrapOptions options = automatic;
+  options.gapSize = 0.6;
+  EXPECT_EQ(reachesOrigin(crackedSphere(0.45), options), 0.0);
+  options.gapSize = 0.12;
+  EXPECT_EQ(reachesOrigin(crackedSphere(0.24), options), 1.0);
+}
+
+TEST(WrapTarget, StartFieldIsZeroAtTheStartLevel)
+{
+  const WrapTarget target = describeTarget(icosphere(4), wraps::quick(), {});
+  for (int i = 0; i < target.grid.dimension(0); ++i)
+  {
+    const auto sample = static_cast<std::size_t>(target.grid.index(i, 18, 18));
+    const double beyond = target.grid.point(i, 18, 18).norm() - 1.0 - target.startLevel;
+    if (std::abs(beyond) < 1.5 * target.cellSize())
+    {
+      EXPECT_NEAR(target.startField[sample], beyond, 0.02);
+    }
+  }
+}
+
+TEST(WrapTarget, RefusesWhatHasNoArea)
+{
+  SurfaceMesh needle;
+  needle.points = { Vec3::Zero(), Vec3::UnitX(), 2.0 * Vec3::UnitX() };
+  needle.addFace({ 0, 1, 2 });
+  EXPECT_THROW(describeTarget(needle, wraps::quick(0.0), {}), InputError);
+  const Execution stopped(nullptr, nullptr, [] { return true; });
+  EXPECT_THROW(describeTarget(icosphere(3), wraps::quick(), stopped), Cancelled);
+}
+
+} // namespace

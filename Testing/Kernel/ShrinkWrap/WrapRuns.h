@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * Shrink-wrapping from a target to the finished surface, and what to expect of that.
+ */
+
+#ifndef EVOLVING_WRAP_RUNS_H
+#define EVOLVING_WRAP_RUNS_H
+
+#include "Distance/AABBTree.h"
+#include "Evolution/SurfaceFlow.h"
+#include "Mesh/TopologySummary.h"
+#include "Remeshing/TargetSamples.h"
+#include "ShrinkWrap/ShrinkWrap.h"
+#include "ShrinkWrap/SurfaceReport.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace evolving::wraps
+{
+
+/// A few hundred vertices on a model of extent 2, in a tenth of a second or two.
+inline ShrinkWrapOptions quick(double edgeLength = 0.15, int samples = 40)
+{
+  ShrinkWrapOptions options;
+  options.sampleDimensions = { samples, samples, samples };
+  options.targetEdgeLength = edgeLength;
+  return options;
+}
+
+inline SurfaceMesh run(const ShrinkWrapProblem& problem, const Execution& execution = {})
+{
+  SurfaceFlow flow(problem.start, problem.field, problem.remesher, problem.flow, execution);
+  while (!flow.isFinished())
+  {
+    flow.step();
+  }
+  EXPECT_EQ(flow.stopReason(), "");
+  return flow.mesh();
+}
+
+inline SurfaceMesh wrap(const SurfaceMesh& target, const ShrinkWrapOptions& options = quick(),
+  const Execution& execution = {})
+{
+  return run(prepareShrinkWrap(target, options, execution), execution);
+}
+
+/// What every result must be.
+inline void expectSound(
+  const SurfaceMesh& surface, Index genus, Index components = 1, double leastAngle = 36.0)
+{
+  const SurfaceReport report = examine(surface, [](const Vec3&) { return 0.0; });
+  EXPECT_TRUE(report.isClosed);
+  EXPECT_TRUE(report.isManifold);
+  EXPECT_EQ(report.selfIntersections, 0);
+  EXPECT_EQ(report.genus, genus);
+  EXPECT_EQ(summarizeTopology(surface).components, components);
+  EXPECT_GT(report.minAngle, leastAngle);
+  EXPECT_GT(signedVolume(surface), 0.0);
+}
+
+/// The largest distance of any point of a surface, or a sample of it, from another.
+inline double farthest(const SurfaceMesh& from, const SurfaceMesh& to, double spacing)
+{
+  const AABBTree tree(to);
+  double squared = 0.0;
+  for (const Vec3& sample : samplesOf(from, spacing))
+  {
+    squared = std::max(squared, tree.closest(sample).at.squaredDistance);
+  }
+  return std::sqrt(squared);
+}
+
+inline double hausdorff(const SurfaceMesh& a, const SurfaceMesh& b, double spacing)
+{
+  return std::max(farthest(a, b, spacing), farthest(b, a, spacing));
+}
+
+} // namespace evolving::wraps
+
+#endif
