@@ -5,6 +5,7 @@
 
 #include "ParallelLoops.h"
 
+#include <algorithm>
 #include <deque>
 
 namespace evolving
@@ -17,6 +18,8 @@ namespace
 /// than.
 constexpr double ReachSizes = 0.5;
 constexpr double ShortestSizes = 0.02;
+/// In sizes: an edge whose ends share a label crosses another that is so far from it.
+constexpr double CrossingSizes = 0.1;
 /// Where four labels meet splits would go on for ever: edges whose ends come of so many are left.
 constexpr int MostSplits = 2;
 /// A change of labels is found to this power of 1/2, in lengths of the edge.
@@ -52,7 +55,7 @@ public:
     {
       const Index e = edges.front();
       edges.pop_front();
-      const Index m = this->mustSplit(e) ? this->split(e) : NoIndex;
+      const Index m = this->Surface.hasEdge(e) ? this->split(e) : NoIndex;
       if (m != NoIndex)
       {
         // Those around have new numbers.
@@ -65,54 +68,75 @@ public:
   }
 
 private:
-  bool mustSplit(Index e) const
-  {
-    if (!this->Surface.hasEdge(e))
-    {
-      return false;
-    }
-    const Index a = this->Surface.from(e);
-    const Index b = this->Surface.to(e);
-    const bool isHeld = this->Surface.isPinned(a) && this->Surface.isPinned(b);
-    return !isHeld && this->Splits[at(a)] + this->Splits[at(b)] < MostSplits &&
-      inBoth(this->Labels.of(a), this->Labels.of(b)).empty();
-  }
-
-  /// @return the new vertex; NoIndex when an end turned out to lie on the border itself
+  /// @return the new vertex; NoIndex when none is needed
   Index split(Index e)
   {
     const Index a = this->Surface.from(e);
     const Index b = this->Surface.to(e);
-    const double size = this->Surface.size(a, b);
-    const LabelChange change = this->changeOn(e);
+    const bool isHeld = this->Surface.isPinned(a) && this->Surface.isPinned(b);
+    if (isHeld || this->Splits[at(a)] + this->Splits[at(b)] >= MostSplits)
+    {
+      return NoIndex;
+    }
+    const evolving::Labels common = inBoth(this->Labels.of(a), this->Labels.of(b));
+    if (common.empty())
+    {
+      return this->splitAt(e, this->changeOn(e, 0.0, 1.0, this->Labels.of(a)));
+    }
+    const Index between = this->labelAt(this->along(e, 0.5));
+    if (contains(common, between) ||
+      !this->isAway(this->along(e, 0.5), common, this->Surface.size(a, b)))
+    {
+      return NoIndex;
+    }
+    const double end = contains(this->Labels.of(b), between) ? 0.0 : 1.0;
+    return this->splitAt(e, this->changeOn(e, 0.5, end, { between }));
+  }
+
+  bool isAway(const Vec3& point, const evolving::Labels& labels, double size) const
+  {
+    const double least = CrossingSizes * size;
+    return std::all_of(labels.begin(), labels.end(),
+      [&](Index label) {
+        return this->Features.closestPointWithLabel(point, label, least * least).triangle ==
+          NoIndex;
+      });
+  }
+
+  /// @return the new vertex; NoIndex when an end turned out to lie on the border itself
+  Index splitAt(Index e, const LabelChange& change)
+  {
+    const double size = this->Surface.size(this->Surface.from(e), this->Surface.to(e));
     const double least = ShortestSizes * size / this->Surface.length(e);
     if (!(change.place > least))
     {
-      this->Labels.add(a, change.after);
+      this->Labels.add(this->Surface.from(e), change.after);
       return NoIndex;
     }
     if (!(change.place < 1.0 - least))
     {
-      this->Labels.add(b, change.before);
+      this->Labels.add(this->Surface.to(e), change.before);
       return NoIndex;
     }
-    const Vec3 point = this->along(e, change.place);
-    const Index m = this->Surface.split(
-      e, onBorder(this->Features, point, change.before, change.after, ReachSizes * size));
+    const Vec3 point = onBorder(
+      this->Features, this->along(e, change.place), change.before, change.after, ReachSizes * size);
+    const int splits =
+      1 + std::max(this->Splits[at(this->Surface.from(e))], this->Splits[at(this->Surface.to(e))]);
+    const Index m = this->Surface.split(e, point);
     this->Labels.append(labelSet({ change.before, change.after }));
-    this->Splits.push_back(1 + std::max(this->Splits[at(a)], this->Splits[at(b)]));
+    this->Splits.push_back(splits);
     return m;
   }
 
-  LabelChange changeOn(Index e) const
+  /// Between two places, the first of which has one of the labels.
+  LabelChange changeOn(Index e, double from, double to, const evolving::Labels& near) const
   {
-    const evolving::Labels& near = this->Labels.of(this->Surface.from(e));
-    LabelChange change{ 1.0, near.front(), this->labelAt(this->along(e, 1.0)) };
+    LabelChange change{ to, near.front(), this->labelAt(this->along(e, to)) };
     if (contains(near, change.after))
     {
-      return { 1.0, change.after, change.after };
+      return { to, change.after, change.after };
     }
-    double low = 0.0;
+    double low = from;
     for (int i = 0; i < Bisections; ++i)
     {
       const double middle = 0.5 * (low + change.place);

@@ -3,10 +3,13 @@
 
 #include "Remeshing/EdgeFlipping.h"
 
+#include "ParallelLoops.h"
 #include "Remeshing/FaceShape.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace evolving
 {
@@ -62,9 +65,9 @@ private:
   Vec3 A, B, C, D;
 };
 
-/// Calls flipsIf(edge) for all edges that could flip, until it flips none.
-template <class Wants>
-Index flipWhere(EditableSurface& surface, const Wants& wants)
+/// Flips all edges that want to and can, calling announce(edge) before each, until none does.
+template <class Wants, class Announce>
+Index flipWhere(EditableSurface& surface, const Wants& wants, const Announce& announce)
 {
   Index flips = 0;
   for (int sweep = 0; sweep < MostSweeps; ++sweep)
@@ -75,6 +78,7 @@ Index flipWhere(EditableSurface& surface, const Wants& wants)
       if (surface.hasEdge(e) && surface.isFirstHalf(e) && !surface.isFeature(e) && wants(e) &&
         surface.canFlip(e))
       {
+        announce(e);
         surface.flip(e);
         ++done;
       }
@@ -88,30 +92,67 @@ Index flipWhere(EditableSurface& surface, const Wants& wants)
   return flips;
 }
 
-/// By how much the squared deviations from the best valences fall when an edge flips.
-Index valenceGain(const EditableSurface& surface, Index e)
+/// By how much the valences of all vertices exceed the best ones, kept up to date.
+class ExcessValences
 {
-  const auto deviation = [&surface](Index v, Index change)
+public:
+  explicit ExcessValences(const EditableSurface& surface)
+    : Surface(surface)
+    , Excess(at(surface.vertexSlots()), 0)
   {
-    const Index d = surface.valence(v) + change - (surface.isBoundary(v) ? 4 : 6);
-    return d * d;
-  };
-  const Index a = surface.from(e);
-  const Index b = surface.to(e);
-  const Index c = surface.apex(e);
-  const Index d = surface.apex(surface.opposite(e));
-  return deviation(a, 0) + deviation(b, 0) + deviation(c, 0) + deviation(d, 0) - deviation(a, -1) -
-    deviation(b, -1) - deviation(c, 1) - deviation(d, 1);
-}
+    for (Index v = 0; v < surface.vertexSlots(); ++v)
+    {
+      if (surface.hasVertex(v))
+      {
+        this->Excess[at(v)] = surface.valence(v) - (surface.isBoundary(v) ? 4 : 6);
+      }
+    }
+  }
+
+  /// By how much the sum of their squares falls when an edge flips.
+  Index gain(Index e) const
+  {
+    const auto [a, b, c, d] = this->around(e);
+    const auto change = [this](Index v, Index by)
+    {
+      const Index before = this->Excess[at(v)];
+      return (before + by) * (before + by) - before * before;
+    };
+    return -(change(a, -1) + change(b, -1) + change(c, 1) + change(d, 1));
+  }
+
+  /// Before the flip of an edge.
+  void flip(Index e)
+  {
+    const auto [a, b, c, d] = this->around(e);
+    this->Excess[at(a)] -= 1;
+    this->Excess[at(b)] -= 1;
+    this->Excess[at(c)] += 1;
+    this->Excess[at(d)] += 1;
+  }
+
+private:
+  /// The ends of an edge and the apexes of its faces.
+  std::array<Index, 4> around(Index e) const
+  {
+    return { this->Surface.from(e), this->Surface.to(e), this->Surface.apex(e),
+      this->Surface.apex(this->Surface.opposite(e)) };
+  }
+
+  const EditableSurface& Surface;
+  std::vector<Index> Excess;
+};
 
 } // namespace
 
 Index flipForValences(EditableSurface& surface)
 {
-  return flipWhere(surface,
-    [&surface](Index e)
+  ExcessValences excess(surface);
+  return flipWhere(
+    surface,
+    [&](Index e)
     {
-      if (valenceGain(surface, e) <= 0)
+      if (excess.gain(e) <= 0)
       {
         return false;
       }
@@ -119,17 +160,20 @@ Index flipForValences(EditableSurface& surface)
       const double before = std::acos(std::min(1.0, pair.cosineBefore()));
       const double after = std::acos(std::min(1.0, pair.cosineAfter()));
       return after > 0.5 * before && pair.staysFlat();
-    });
+    },
+    [&excess](Index e) { excess.flip(e); });
 }
 
 Index flipForAngles(EditableSurface& surface)
 {
-  return flipWhere(surface,
+  return flipWhere(
+    surface,
     [&surface](Index e)
     {
       const FlipPair pair(surface, e);
       return pair.cosineAfter() < pair.cosineBefore() - 1e-9 && pair.staysFlat();
-    });
+    },
+    [](Index) {});
 }
 
 } // namespace evolving

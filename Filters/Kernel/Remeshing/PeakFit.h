@@ -12,7 +12,9 @@
 #include "Execution.h"
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/ReferenceSurface.h"
+#include "Remeshing/SampleDistances.h"
 
+#include <limits>
 #include <vector>
 
 namespace evolving
@@ -20,27 +22,53 @@ namespace evolving
 
 struct PeakFitOptions
 {
-  double tolerance = 0.2;   ///< of the size: samples nearer than this are left alone
-  double farthest = 1.5;    ///< of the size: samples beyond are none of the surface's business
-  double deepest = 0.35;    ///< the same for samples inside, which may be hidden parts
+  double tolerance = 0.2; ///< of the size: samples nearer than this are left alone
+  /// Samples beyond are none of the surface's business; inside they may be hidden parts.
+  double farthest = std::numeric_limits<double>::infinity();
+  double deepest = std::numeric_limits<double>::infinity();
   double leastAngle = 44.5; ///< degrees: no angle falls below it, nor below the smallest around
   int rounds = 3;
 };
-
-/// The samples farther from the surface than a fraction of its size: all that fitPeaks() needs.
-std::vector<Vec3> samplesBeyond(const EditableSurface& surface, const std::vector<Vec3>& samples,
-  double tolerance, const Execution& execution = {});
 
 /**
  * Lowers the largest distance from points of the target to the surface. A least-squares fit gives
  * up a peak for the sake of the many places around; here the face nearest to such a point comes
  * towards it, as far as that lowers the larger of the two distances, from points of the target to
  * the faces around and from these faces to the target.
- * @param samples points of the target
- * @return the number of faces moved
  */
-Index fitPeaks(EditableSurface& surface, const ReferenceSurface& reference,
-  const std::vector<Vec3>& samples, const PeakFitOptions& options, const Execution& execution = {});
+class PeakFit
+{
+public:
+  /**
+   * @param surface keeps its faces from now on
+   * @param samples points of the target
+   * @param nearest samples nearer than this part of the size are no peaks now and will be none
+   * @throws Cancelled
+   */
+  PeakFit(EditableSurface& surface, const ReferenceSurface& reference,
+    const std::vector<Vec3>& samples, double nearest = 0.0, const Execution& execution = {});
+
+  /// @return the number of faces moved
+  Index run(const PeakFitOptions& options);
+
+private:
+  Index runOnce(const PeakFitOptions& options);
+  bool isPeak(std::size_t s, const PeakFitOptions& options) const;
+  bool approach(std::size_t s, const std::vector<Index>& faces, double leastAngle);
+  double largestDistance(const std::vector<Index>& faces) const;
+  double squaredDistanceToReference(Index f) const;
+
+  EditableSurface& Surface;
+  const ReferenceSurface& Reference;
+  SampleDistances Distances;
+};
+
+/// The same for one run.
+inline Index fitPeaks(EditableSurface& surface, const ReferenceSurface& reference,
+  const std::vector<Vec3>& samples, const PeakFitOptions& options, const Execution& execution = {})
+{
+  return PeakFit(surface, reference, samples, 0.0, execution).run(options);
+}
 
 } // namespace evolving
 

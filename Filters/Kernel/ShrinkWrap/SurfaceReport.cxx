@@ -18,6 +18,8 @@ namespace
 
 /// A result with a smaller angle than this, in degrees, is no good for simulation.
 constexpr double QualityFloor = 20.0;
+/// Tips of creases that are less of them all are no loss.
+constexpr double MissingPart = 0.01;
 /// A vertex that stays farther away than this many edge lengths has met a membrane.
 constexpr double MembraneEdges = 2.0;
 
@@ -113,7 +115,7 @@ std::vector<std::string> shortcomings(const SurfaceReport& report, double edgeLe
       "): a membrane was left over a hole or a deep concavity, or the distance grid is too coarse; "
       "use the Isosurface start, a smaller GapSize or more SampleDimensions.");
   }
-  if (report.creases.missing > edgeLength)
+  if (report.creases.missing > std::max(edgeLength, MissingPart * report.creases.length))
   {
     say("Of the target's creases, ", report.creases.length, " long in all, ",
       report.creases.missing, " are not on edges of the result, some at (",

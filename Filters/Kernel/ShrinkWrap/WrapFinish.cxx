@@ -35,6 +35,7 @@ constexpr int PolishPasses = 3;
 /// Smallest angles up to this are worth a search, in degrees; and how many rounds of it.
 constexpr double WantedAngle = 46.0;
 constexpr int StarRounds = 5;
+constexpr int PeakRounds = 2;
 /// Triangles with smaller angles may be replaced by others.
 constexpr double SoundAngle = 42.0;
 /// For a peak's sake angles may fall to this, to recover afterwards.
@@ -50,7 +51,8 @@ constexpr double CoverageSpacing = 0.25;
 constexpr double CoverageTolerance = 0.1;
 /// What moving along the surface costs in the first fit: less finds ridges better and leaves worse
 /// elements.
-constexpr double TangentialInertia = 1.5;
+constexpr double UniformInertia = 1.5;
+constexpr double AdaptedInertia = 0.5;
 /// Farther from their patch faces have no place there.
 constexpr double ReachSizes = 2.0;
 /// Adaptive sizes, in those of uniform ones.
@@ -58,6 +60,9 @@ constexpr double SmallestSize = 0.4;
 constexpr double LargestSize = 1.5;
 /// Remeshing ends with this fraction of the vertices that the sizes ask for.
 constexpr double VerticesPerExpected = 0.95;
+/// In sizes.
+constexpr double FarthestPeak = 1.5;
+constexpr double DeepestValley = 0.35;
 /// Samples nearer than this part of the tolerance will be no peaks either.
 constexpr double NearlyPeak = 0.5;
 /// Of the target, to find what the triangles cut off; in sizes.
@@ -207,7 +212,8 @@ private:
   /// Vertices find the ridges, and elements recover.
   void fitAlong(EditableSurface& surface, const Execution& now) const
   {
-    fitToReference(surface, this->reference(), { 3, 1.0, TangentialInertia }, now);
+    const double inertia = this->Options.adaptToCurvature ? AdaptedInertia : UniformInertia;
+    fitToReference(surface, this->reference(), { 3, 1.0, inertia }, now);
     flipForAngles(surface);
     this->improve(surface, now);
     flipForAngles(surface);
@@ -236,17 +242,19 @@ private:
   void reachPeaks(EditableSurface& surface, const Execution& now) const
   {
     PeakFitOptions options;
-    const std::vector<Vec3> samples =
-      samplesBeyond(surface, samplesOf(this->Reference.visible(), SampleSpacing * this->Size),
-        NearlyPeak * options.tolerance, now);
+    options.farthest = FarthestPeak * this->Size;
+    options.deepest = DeepestValley * this->Size;
+    PeakFit fit(surface, this->reference(),
+      samplesOf(this->Reference.visible(), SampleSpacing * this->Size),
+      NearlyPeak * options.tolerance, now);
     options.leastAngle = BearableAngle;
-    for (int round = 0; round < 2; ++round)
+    for (int round = 0; round < PeakRounds; ++round)
     {
-      fitPeaks(surface, this->reference(), samples, options, now);
+      fit.run(options);
       this->improve(surface, now);
     }
     options.leastAngle = this->Options.adaptToCurvature ? LeastAdaptedAngle : LeastUniformAngle;
-    fitPeaks(surface, this->reference(), samples, options, now);
+    fit.run(options);
   }
 
   EditableSurface Surface;
