@@ -25,6 +25,9 @@ namespace
 constexpr std::array<double, 4> Fractions = { 1.0, 0.7, 0.45, 0.25 };
 /// The larger distance must fall to this fraction.
 constexpr double LeastGain = 0.97;
+/// Where so many samples have been tried in vain the others wait for the next run.
+constexpr int MostTries = 2;
+constexpr double Unbounded = std::numeric_limits<double>::infinity();
 /// No face may turn by more than 45 degrees.
 constexpr double LeastCosine = 0.7;
 
@@ -124,8 +127,13 @@ Index PeakFit::runOnce(const PeakFitOptions& options)
   std::sort(peaks.begin(), peaks.end());
   Index moved = 0;
   std::vector<char> isDone(at(this->Surface.faceSlots()), 0);
+  std::vector<int> tries(at(this->Surface.faceSlots()), 0);
   for (const auto& [distance, s] : peaks)
   {
+    if (tries[at(this->Distances.face(s))]++ >= MostTries)
+    {
+      continue;
+    }
     const std::vector<Index> faces = this->Distances.facesAround(this->Distances.face(s));
     const bool isFresh =
       std::none_of(faces.begin(), faces.end(), [&](Index f) { return isDone[at(f)] != 0; });
@@ -173,14 +181,14 @@ bool PeakFit::approach(std::size_t s, const std::vector<Index>& faces, double le
   };
   const std::vector<Vec3> areas = areasOf(this->Surface, faces);
   const double bound = std::min(leastAngle, smallestAngle(this->Surface, faces));
-  double best = LeastGain * this->largestDistance(faces);
+  double best = LeastGain * this->largestDistance(faces, Unbounded);
   double bestFraction = 0.0;
   for (const double fraction : Fractions)
   {
     moveBy(fraction);
     if (smallestAngle(this->Surface, faces) >= bound && areUpright(this->Surface, faces, areas))
     {
-      const double distance = this->largestDistance(faces);
+      const double distance = this->largestDistance(faces, best);
       if (distance < best)
       {
         best = distance;
@@ -192,15 +200,21 @@ bool PeakFit::approach(std::size_t s, const std::vector<Index>& faces, double le
   return bestFraction > 0.0;
 }
 
-/// Both ways, between the faces and the target's samples and surface around them.
-double PeakFit::largestDistance(const std::vector<Index>& faces) const
+/// Both ways, between the faces and the target's samples and surface around them; or some distance
+/// that is not below the bound.
+double PeakFit::largestDistance(const std::vector<Index>& faces, double bound) const
 {
+  const double squaredBound = bound * bound;
   double largest = 0.0;
   for (const Index f : faces)
   {
     for (const std::size_t s : this->Distances.samplesAt(f))
     {
-      double nearest = std::numeric_limits<double>::infinity();
+      if (largest >= squaredBound)
+      {
+        return std::sqrt(largest);
+      }
+      double nearest = Unbounded;
       for (const Index g : faces)
       {
         nearest = std::min(nearest,
@@ -208,6 +222,13 @@ double PeakFit::largestDistance(const std::vector<Index>& faces) const
             .squaredDistance);
       }
       largest = std::max(largest, nearest);
+    }
+  }
+  for (const Index f : faces)
+  {
+    if (largest >= squaredBound)
+    {
+      break;
     }
     largest = std::max(largest, this->squaredDistanceToReference(f));
   }

@@ -55,7 +55,7 @@ private:
   Index runOnce(const PeakFitOptions& options);
   bool isPeak(std::size_t s, const PeakFitOptions& options) const;
   bool approach(std::size_t s, const std::vector<Index>& faces, double leastAngle);
-  double largestDistance(const std::vector<Index>& faces) const;
+  double largestDistance(const std::vector<Index>& faces, double bound) const;
   double squaredDistanceToReference(Index f) const;
 
   EditableSurface& Surface;

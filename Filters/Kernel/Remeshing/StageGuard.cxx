@@ -86,6 +86,20 @@ Index runGuarded(EditableSurface& surface, const RemeshingStage& stage, const Ex
   return made;
 }
 
+Index runMoves(EditableSurface& surface, const RemeshingStage& stage, const Execution& execution)
+{
+  surface.compact();
+  const std::vector<Vec3> before = surface.mesh().points;
+  stage(surface);
+  SurfaceMesh mesh = surface.mesh();
+  const Index count = undoIntersections(mesh, before, execution);
+  for (Index v = 0; count > 0 && v < surface.vertexSlots(); ++v)
+  {
+    surface.setPoint(v, mesh.points[at(v)]);
+  }
+  return count;
+}
+
 Index undoIntersections(
   SurfaceMesh& mesh, const std::vector<Vec3>& before, const Execution& execution)
 {

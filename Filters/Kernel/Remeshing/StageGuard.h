@@ -34,6 +34,15 @@ Index runGuarded(
   EditableSurface& surface, const RemeshingStage& stage, const Execution& execution = {});
 
 /**
+ * The same for a stage that only moves vertices, and faster: the vertices of triangles that
+ * intersect go back, undoIntersections(), and the stage does not run again.
+ * @return the number of vertices that went back
+ * @throws Cancelled
+ */
+Index runMoves(
+  EditableSurface& surface, const RemeshingStage& stage, const Execution& execution = {});
+
+/**
  * Takes vertices of intersecting triangles, and if need be more and more around them, back to
  * where they were.
  * @param before one point per vertex, without intersections

@@ -100,16 +100,16 @@ ShrinkWrapProblem prepareShrinkWrap(
 {
   const auto target =
     std::make_shared<const WrapTarget>(describeTarget(mesh, options, execution.phase(0.0, 0.4)));
-  const auto region = std::make_shared<const OuterRegion>(
+  const OuterRegion region(
     target->grid, target->startField, target->startLevel, execution.phase(0.4, 0.5));
   ShrinkWrapProblem problem;
   const auto reference =
     std::make_shared<const WrapReference>(*target, region, execution.phase(0.5, 0.6));
   const auto remesher = std::make_shared<WrapRemesher>(target, reference, options);
-  problem.field = levelField(*target, *region, *reference);
+  problem.field = levelField(*target, region, *reference);
   const SurfaceMesh start = options.start == WrapStart::Icosphere
     ? sphereStart(*target)
-    : region->boundary(execution.phase(0.7, 0.8));
+    : region.boundary(execution.phase(0.7, 0.8));
   std::vector<double> distance;
   for (const Vec3& point : start.points)
   {

@@ -110,16 +110,16 @@ public:
     {
       this->stage(0.75, 0.75, &Finish::release);
     }
-    this->stage(0.75, 0.85, &Finish::fit);
+    this->stage(0.75, 0.85, &Finish::fit, runMoves);
     this->stage(0.85, 0.9, &Finish::repair);
     if (this->IsOnTarget)
     {
-      this->stage(0.9, 0.95, &Finish::reachPeaks);
+      this->stage(0.9, 0.95, &Finish::reachPeaks, runMoves);
     }
     this->stage(0.95, 1.0, &Finish::repair);
     if (this->Offset > 0.0)
     {
-      this->stage(1.0, 1.0, &Finish::land); // the offset is a promise for vertices
+      this->stage(1.0, 1.0, &Finish::land, runMoves); // the offset is a promise for vertices
     }
     return { this->Surface.mesh(), this->coverage() };
   }
@@ -127,11 +127,13 @@ public:
 private:
   using Work = void (Finish::*)(EditableSurface&, const Execution&) const;
 
-  void stage(double from, double to, Work work)
+  using Guard = Index (*)(EditableSurface&, const RemeshingStage&, const Execution&);
+
+  void stage(double from, double to, Work work, Guard guard = runGuarded)
   {
     this->Run.phase(from, to).report(0.0);
     const Execution now = this->Run.phase(from, from); // parts run again and again
-    runGuarded(
+    guard(
       this->Surface, [&](EditableSurface& surface) { (this->*work)(surface, now); }, now);
   }
 

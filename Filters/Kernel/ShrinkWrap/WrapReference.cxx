@@ -5,6 +5,7 @@
 
 #include "Distance/TriangleGeometry.h"
 #include "ParallelLoops.h"
+#include "Remeshing/Barycentric.h"
 
 #include <algorithm>
 #include <array>
@@ -21,20 +22,11 @@ namespace
 constexpr double ReachEdges = 2.0;
 /// A point nearer than this to its foot, in levels, does not say on which side it lies.
 constexpr double SureSide = 0.1;
-/// A sheet's side is probed so many radii of the region's ball away.
+/// A part is hidden when the ball does not come so many radii near.
 constexpr double ProbeRadii = 1.5;
-/// The way there begins so many radii from the target, and leads away from it in steps of this
-/// fraction of the distance.
-constexpr double FirstProbe = 0.03;
-/// At a sharp edge a triangle's normal leads out on the other side: probes begin farther in.
-constexpr double InnerRadii = 0.2;
-constexpr double SureStep = 0.9;
-constexpr int Climbs = 12;
 /// Where the closest point is on one wall, another may be too near: so often it pushes away.
 constexpr int Pushes = 3;
 constexpr double NearlyAtLevel = 0.98;
-/// Less openness may be the grid's doing.
-constexpr double SurelyOpen = 0.5;
 
 /// The corners, the middles of the edges and the centroid.
 std::array<Vec3, 7> placesOf(const Triangle& t)
@@ -68,111 +60,49 @@ SurfaceMesh withoutHidden(const SurfaceMesh& surface, const OuterRegion& region)
 } // namespace
 
 WrapReference::WrapReference(
-  const WrapTarget& target, std::shared_ptr<const OuterRegion> region, const Execution& execution)
-  : Visible(withoutHidden(target.surface, *region))
-  , Tree(this->Visible, execution.phase(0.0, 0.5))
-  , Region(std::move(region))
+  const WrapTarget& target, const OuterRegion& region, const Execution& execution)
+  : Visible(withoutHidden(target.surface, region))
+  , Tree(this->Visible, execution.phase(0.0, 0.3))
+  , Levels(wrapLevels(
+      this->Visible, this->Tree, region, target.offset, target.wall, execution.phase(0.3, 0.6)))
   , Offset(target.offset)
   , Wall(target.wall)
   , Reach(ReachEdges * target.edgeLength)
 {
-  this->findSheets(execution.phase(0.5, 1.0));
-}
-
-WrapReference::SidesOpen WrapReference::sidesOf(Index triangle) const
-{
-  const Triangle& t = this->Tree.triangle(triangle);
-  const auto places = placesOf(t);
-  const auto isOpen = [&](const Vec3& p) { return this->openness(triangle, p) > SurelyOpen; };
-  if (t.box().diagonal().norm() < this->Region->radius())
+  if (this->Levels.triangles.faceCount() != this->Tree.triangleCount())
   {
-    return isOpen(places.back()) ? SidesOpen::Both : SidesOpen::One; // as small as a place
+    this->Tree = AABBTree(this->Levels.triangles, execution.phase(0.6, 0.8));
   }
-  const auto open = std::count_if(places.begin(), places.end(), isOpen);
-  if (open == 0)
-  {
-    return SidesOpen::One;
-  }
-  return open == static_cast<std::ptrdiff_t>(places.size()) ? SidesOpen::Both : SidesOpen::Varying;
+  this->findSheets(execution.phase(0.8, 1.0));
 }
 
 void WrapReference::findSheets(const Execution& execution)
 {
-  this->Sides.assign(at(this->Tree.triangleCount()), SidesOpen::One);
-  execution.forRange(this->Tree.triangleCount(), Execution::MeshGrain,
-    [this](std::int64_t begin, std::int64_t end)
-    {
-      for (auto t = static_cast<Index>(begin); t < static_cast<Index>(end); ++t)
-      {
-        this->Sides[at(t)] = this->sidesOf(t);
-      }
-    });
   SurfaceMesh sheets;
-  sheets.points = this->Visible.points;
+  sheets.points = this->Levels.triangles.points;
   for (Index t = 0; t < this->Tree.triangleCount(); ++t)
   {
-    if (this->Sides[at(t)] != SidesOpen::One)
+    if (this->Levels.maximum(t) > this->Offset)
     {
       this->SheetNumbers.push_back(t);
-      sheets.addFace({ this->Visible.faceVertex(t, 0), this->Visible.faceVertex(t, 1),
-        this->Visible.faceVertex(t, 2) });
+      sheets.addFace({ this->Levels.triangles.faceVertex(t, 0),
+        this->Levels.triangles.faceVertex(t, 1), this->Levels.triangles.faceVertex(t, 2) });
     }
   }
   this->HasSheets = !this->SheetNumbers.empty();
   this->Sheets = std::make_unique<AABBTree>(sheets, execution);
 }
 
-/**
- * How well the ball can come to a side of the target at a point: from just beside it the way leads
- * away from the target, never farther than the target is, so that it cannot cross a thin part.
- */
-double WrapReference::reachableFrom(const Vec3& point, const Vec3& side) const
-{
-  const double enough = ProbeRadii * this->Region->radius();
-  Vec3 climber = point + FirstProbe * this->Region->radius() * side;
-  for (int climb = 0; climb < Climbs; ++climb)
-  {
-    const ClosestTriangle closest = this->Tree.closest(climber);
-    const Vec3 away = climber - closest.at.point;
-    const double distance = away.norm();
-    if (distance >= enough || !(distance > 0.0))
-    {
-      break;
-    }
-    climber += std::min(SureStep, (enough - distance) / distance) * away;
-  }
-  return this->Region->reachable(climber);
-}
-
-double WrapReference::openness(Index triangle, const Vec3& point) const
-{
-  const Triangle& t = this->Tree.triangle(triangle);
-  const double radius = this->Region->radius();
-  const Vec3 normal = t.doubleAreaNormal().stableNormalized();
-  const Vec3 inwards = (t.corners[0] + t.corners[1] + t.corners[2]) / 3.0 - point;
-  const double way = inwards.norm();
-  const Vec3 place = way > InnerRadii * radius ? Vec3(point + InnerRadii * radius / way * inwards)
-                                               : Vec3(point + inwards);
-  const Vec3 probe = ProbeRadii * radius * normal;
-  if (this->Region->isFarFrom(place + probe) || this->Region->isFarFrom(place - probe))
-  {
-    return 0.0;
-  }
-  const double above = this->reachableFrom(place, normal);
-  return above > 0.0 ? above * this->reachableFrom(place, -normal) : 0.0;
-}
-
 double WrapReference::levelAt(Index triangle, const Vec3& point) const
 {
-  switch (this->Sides[at(triangle)])
+  const std::array<double, 3>& levels = this->Levels.atCorners[at(triangle)];
+  if (levels[0] == levels[1] && levels[0] == levels[2])
   {
-    case SidesOpen::One:
-      return this->Offset;
-    case SidesOpen::Both:
-      return std::max(this->Offset, this->Wall);
-    default:
-      return std::max(this->Offset, this->Wall * this->openness(triangle, point));
+    return levels[0];
   }
+  const Vec3 weights = barycentricCoordinates(this->Tree.triangle(triangle), point);
+  const double level = weights.dot(Vec3(levels[0], levels[1], levels[2]));
+  return std::isfinite(level) ? level : this->Levels.maximum(triangle);
 }
 
 double WrapReference::deviation(const Vec3& point) const

@@ -13,6 +13,7 @@
 #include "Execution.h"
 #include "Remeshing/ReferenceSurface.h"
 #include "ShrinkWrap/OuterRegion.h"
+#include "ShrinkWrap/WrapLevels.h"
 #include "ShrinkWrap/WrapTarget.h"
 
 #include <memory>
@@ -29,9 +30,9 @@ namespace evolving
 class WrapReference : public ReferenceSurface
 {
 public:
-  /// @param region of the target; kept
-  WrapReference(const WrapTarget& target, std::shared_ptr<const OuterRegion> region,
-    const Execution& execution = {});
+  /// @param region of the target. @throws Cancelled
+  WrapReference(
+    const WrapTarget& target, const OuterRegion& region, const Execution& execution = {});
 
   Foot onSurface(const Vec3& point, const Vec3& facing, Index label, Index guess) const override;
 
@@ -46,31 +47,18 @@ public:
   const SurfaceMesh& visible() const { return this->Visible; }
 
 private:
-  /// From how many sides a triangle can be reached.
-  enum class SidesOpen : char
-  {
-    One,
-    Varying, ///< from one here and from both there
-    Both,
-  };
-
-  SidesOpen sidesOf(Index triangle) const;
   void findSheets(const Execution& execution);
   Foot onVisible(const Vec3& point, const Vec3& facing, Index guess) const;
   /// The point, or one at their level next to it where sheets are nearer than that.
   Vec3 awayFromSheets(const Vec3& point) const;
   double levelAt(Index triangle, const Vec3& point) const;
-  /// Can both sides of the target be reached at a point of a triangle? 0 to 1.
-  double openness(Index triangle, const Vec3& point) const;
-  double reachableFrom(const Vec3& point, const Vec3& side) const;
 
   SurfaceMesh Visible;
-  AABBTree Tree;
-  std::shared_ptr<const OuterRegion> Region;
+  AABBTree Tree; ///< of the levels' triangles
+  WrapLevels Levels;
   double Offset;
   double Wall;
   double Reach;
-  std::vector<SidesOpen> Sides; ///< of the triangles
   bool HasSheets = false;
   std::unique_ptr<AABBTree> Sheets;
   std::vector<Index> SheetNumbers; ///< in Tree

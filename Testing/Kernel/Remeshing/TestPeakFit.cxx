@@ -87,8 +87,9 @@ TEST(PeakFit, GoesAfterNoSampleThatIsTooFar)
   setUniformSizes(valley, 0.25);
   options = {};
   options.farthest = 0.0;
+  options.deepest = 0.08;
   EXPECT_EQ(fitPeaks(valley, OffsetReference(target, 0.0), samplesOf(target, 0.05), options), 0);
-  options.deepest = 0.5;
+  options.deepest = 0.1;
   EXPECT_EQ(fitPeaks(valley, OffsetReference(target, 0.0), samplesOf(target, 0.05), options), 1);
 }
 

@@ -87,6 +87,35 @@ TEST(StageGuard, UndoesAPlaceAndKeepsTheRest)
   EXPECT_GT(moved, 0.7 * top);
 }
 
+TEST(StageGuard, OfMovesOnlyThoseThatIntersectAreTakenBack)
+{
+  EditableSurface surface = slab();
+  const EditableSurface before = surface;
+  int runs = 0;
+  const Index back = runMoves(surface,
+    [&](EditableSurface& s)
+    {
+      ++runs;
+      liftAndPush(s, false);
+    });
+  EXPECT_EQ(runs, 1);
+  EXPECT_TRUE(selfIntersections(surface.mesh()).empty());
+  Index stayed = 0;
+  for (const Index v : verticesOf(surface))
+  {
+    const double rise = surface.point(v).z() - before.point(v).z();
+    if (before.point(v).z() > 0.0)
+    {
+      EXPECT_TRUE(rise == 0.0 || std::abs(rise - 0.01) < 1e-15);
+      stayed += rise == 0.0 ? 1 : 0;
+    }
+  }
+  // The vertex that was pushed, and no more than its ring.
+  EXPECT_GT(stayed, 0);
+  EXPECT_LE(stayed, 9);
+  EXPECT_GE(back, stayed);
+}
+
 TEST(StageGuard, LeavesAStageOutThatAlwaysIntersects)
 {
   EditableSurface surface = slab();

@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace
 {
@@ -29,8 +28,7 @@ struct Finished
   Finished(const SurfaceMesh& mesh, const SurfaceMesh& arrived, const ShrinkWrapOptions& options,
     const Execution& execution = {})
     : target(describeTarget(mesh, options, execution))
-    , reference(target,
-        std::make_shared<const OuterRegion>(target.grid, target.startField, target.startLevel))
+    , reference(target, OuterRegion(target.grid, target.startField, target.startLevel))
     , surface(finishWrap(arrived, target, reference, options, execution).surface)
   {
   }

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ShrinkWrap/SheetOpenness.h"
+
+#include "Distance/TriangleGeometry.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace evolving
+{
+
+namespace
+{
+
+/// A sheet's side is probed so many radii of the region's ball away.
+constexpr double ProbeRadii = 1.5;
+/// The way there begins so many radii from the target, and leads away from it in steps of this
+/// fraction of the distance.
+constexpr double FirstProbe = 0.03;
+constexpr double SureStep = 0.9;
+constexpr int Climbs = 12;
+/// At a sharp edge a triangle's normal leads out on the other side: probes begin farther in.
+constexpr double InnerRadii = 0.2;
+/// Less openness may be the grid's doing.
+constexpr double SurelyOpen = 0.5;
+
+/// The corners, the middles of the edges and the centroid.
+std::array<Vec3, 7> placesOf(const Triangle& t)
+{
+  const auto& [a, b, c] = t.corners;
+  return { a, b, c, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a), (a + b + c) / 3.0 };
+}
+
+} // namespace
+
+/**
+ * How well the ball can come to a side of the target at a point: from just beside it the way leads
+ * away from the target, never farther than the target is, so that it cannot cross a thin part.
+ */
+double SheetOpenness::reachableFrom(Index triangle, const Vec3& point, const Vec3& side) const
+{
+  const double enough = ProbeRadii * this->Region.radius();
+  Vec3 climber = point + FirstProbe * this->Region.radius() * side;
+  Index guess = triangle;
+  for (int climb = 0; climb < Climbs; ++climb)
+  {
+    const ClosestTriangle closest =
+      this->Tree.closest(climber, std::numeric_limits<double>::infinity(), guess);
+    guess = closest.triangle;
+    const Vec3 away = climber - closest.at.point;
+    const double distance = away.norm();
+    if (distance >= enough || !(distance > 0.0))
+    {
+      break;
+    }
+    climber += std::min(SureStep, (enough - distance) / distance) * away;
+  }
+  return this->Region.reachable(climber);
+}
+
+double SheetOpenness::at(Index triangle, const Vec3& point) const
+{
+  const Triangle& t = this->Tree.triangle(triangle);
+  const double radius = this->Region.radius();
+  const Vec3 normal = t.doubleAreaNormal().stableNormalized();
+  const Vec3 inwards = (t.corners[0] + t.corners[1] + t.corners[2]) / 3.0 - point;
+  const double way = inwards.norm();
+  const Vec3 place = way > InnerRadii * radius ? Vec3(point + InnerRadii * radius / way * inwards)
+                                               : Vec3(point + inwards);
+  const Vec3 probe = ProbeRadii * radius * normal;
+  if (this->Region.isFarFrom(place + probe) || this->Region.isFarFrom(place - probe))
+  {
+    return 0.0;
+  }
+  const double above = this->reachableFrom(triangle, place, normal);
+  return above > 0.0 ? above * this->reachableFrom(triangle, place, -normal) : 0.0;
+}
+
+SidesOpen SheetOpenness::sidesOf(Index triangle) const
+{
+  const Triangle& t = this->Tree.triangle(triangle);
+  const auto places = placesOf(t);
+  const auto isOpen = [&](const Vec3& p) { return this->at(triangle, p) > SurelyOpen; };
+  if (t.box().diagonal().norm() < this->Region.radius())
+  {
+    return isOpen(places.back()) ? SidesOpen::Both : SidesOpen::One; // as small as a place
+  }
+  const auto open = std::count_if(places.begin(), places.end(), isOpen);
+  if (open == 0)
+  {
+    return SidesOpen::One;
+  }
+  return open == static_cast<std::ptrdiff_t>(places.size()) ? SidesOpen::Both : SidesOpen::Varying;
+}
+
+} // namespace evolving
