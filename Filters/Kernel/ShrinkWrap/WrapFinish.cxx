@@ -36,6 +36,7 @@ constexpr int PolishPasses = 3;
 constexpr double WantedAngle = 46.0;
 constexpr int StarRounds = 5;
 constexpr int PeakRounds = 2;
+constexpr int SettleRounds = 2;
 /// Triangles with smaller angles may be replaced by others.
 constexpr double SoundAngle = 42.0;
 /// For a peak's sake angles may fall to this, to recover afterwards.
@@ -115,6 +116,10 @@ public:
     if (this->IsOnTarget)
     {
       this->stage(0.9, 0.95, &Finish::reachPeaks, runMoves);
+    }
+    else
+    {
+      this->stage(0.9, 0.95, &Finish::settle, runMoves);
     }
     this->stage(0.95, 1.0, &Finish::repair);
     if (this->Offset > 0.0)
@@ -225,7 +230,7 @@ private:
   void fit(EditableSurface& surface, const Execution& now) const
   {
     constexpr double NormalOnly = std::numeric_limits<double>::infinity();
-    fitToReference(surface, this->reference(), { 3, 1.0, NormalOnly }, now);
+    fitToReference(surface, this->reference(), { 2, 1.0, NormalOnly }, now);
     this->improve(surface, now);
     fitToReference(surface, this->reference(), { 1, 0.5, NormalOnly }, now);
     this->improve(surface, now);
@@ -234,6 +239,16 @@ private:
   void improve(EditableSurface& surface, const Execution& now) const
   {
     optimizeStars(surface, this->reference(), WantedAngle, StarRounds, now);
+  }
+
+  /// At rims, rounder than elements can be, the fit lifts vertices off: each goes to its level.
+  void settle(EditableSurface& surface, const Execution& now) const
+  {
+    for (int round = 0; round < SettleRounds; ++round)
+    {
+      evolving::land(surface, this->reference(), now);
+      this->improve(surface, now);
+    }
   }
 
   void repair(EditableSurface& surface, const Execution& now) const
