@@ -124,7 +124,24 @@ void relax(EditableSurface& surface, const ReferenceSurface& reference, double d
 
 void land(EditableSurface& surface, const ReferenceSurface& reference, const Execution& execution)
 {
-  relax(surface, reference, 0.0, 1, execution);
+  landWhere(
+    surface, reference, [](const Vec3&) { return true; }, execution);
+}
+
+void landWhere(EditableSurface& surface, const ReferenceSurface& reference,
+  const std::function<bool(const Vec3&)>& isWanted, const Execution& execution)
+{
+  std::vector<Vec3> points(at(surface.vertexSlots()));
+  execution.forRange(surface.vertexSlots(), Execution::MeshGrain,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (Index v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v)
+      {
+        points[at(v)] =
+          isWanted(surface.point(v)) ? relaxed(surface, reference, v, 0.0) : surface.point(v);
+      }
+    });
+  moveGuarded(surface, points, execution);
 }
 
 } // namespace evolving

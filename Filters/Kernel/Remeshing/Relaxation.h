@@ -13,6 +13,8 @@
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/ReferenceSurface.h"
 
+#include <functional>
+
 namespace evolving
 {
 
@@ -28,6 +30,10 @@ void relax(EditableSurface& surface, const ReferenceSurface& reference, double d
 /// Every vertex goes onto the reference, guarded as in relax().
 void land(
   EditableSurface& surface, const ReferenceSurface& reference, const Execution& execution = {});
+
+/// Only those at points that are wanted, which may be asked from several threads.
+void landWhere(EditableSurface& surface, const ReferenceSurface& reference,
+  const std::function<bool(const Vec3&)>& isWanted, const Execution& execution = {});
 
 /// The curve of a vertex between two edges of one and the same curve; NoIndex for all others.
 Index curveOfVertex(const EditableSurface& surface, Index vertex);

@@ -241,12 +241,14 @@ private:
     optimizeStars(surface, this->reference(), WantedAngle, StarRounds, now);
   }
 
-  /// At rims, rounder than elements can be, the fit lifts vertices off: each goes to its level.
+  /// At rims of walls, rounder than elements can be, the fit lifts vertices off: back they go.
   void settle(EditableSurface& surface, const Execution& now) const
   {
     for (int round = 0; round < SettleRounds; ++round)
     {
-      evolving::land(surface, this->reference(), now);
+      landWhere(
+        surface, this->reference(), [this](const Vec3& p) { return this->Reference.isAtSheet(p); },
+        now);
       this->improve(surface, now);
     }
   }

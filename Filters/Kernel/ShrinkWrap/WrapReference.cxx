@@ -112,6 +112,12 @@ double WrapReference::deviation(const Vec3& point) const
   return std::abs(distance - this->levelAt(closest.triangle, closest.at.point));
 }
 
+bool WrapReference::isAtSheet(const Vec3& point) const
+{
+  const ClosestTriangle closest = this->Tree.closest(point);
+  return this->levelAt(closest.triangle, closest.at.point) > this->Offset;
+}
+
 ReferenceSurface::Foot WrapReference::onSurface(
   const Vec3& point, const Vec3& facing, Index /*label*/, Index guess) const
 {

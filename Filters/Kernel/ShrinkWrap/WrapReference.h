@@ -38,6 +38,8 @@ public:
 
   /// Of a point from where the result shall lie next to it.
   double deviation(const Vec3& point) const;
+  /// Is the closest place of the target a sheet that becomes a wall?
+  bool isAtSheet(const Vec3& point) const;
   /// Is there a sheet that can be reached from both sides?
   bool hasSheets() const { return this->HasSheets; }
   /// Does the result lie on the target everywhere?
