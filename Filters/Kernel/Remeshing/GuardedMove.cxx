@@ -43,7 +43,9 @@ Index moveGuarded(
         {
           const Vec3 was = oldArea(f);
           const Vec3 is = surface.doubleArea(f);
-          isTurned[at(f)] = is.dot(was) < LeastCosine * is.norm() * was.norm() ? 1 : 0;
+          // A move that is no number is none to keep.
+          const bool isUpright = is.dot(was) >= LeastCosine * is.norm() * was.norm();
+          isTurned[at(f)] = isUpright ? 0 : 1;
         }
       });
     found = 0;
