@@ -134,7 +134,9 @@ public:
     const Balls balls = this->chooseBalls();
     const std::vector<float> field =
       closeGaps(this->Grid, this->Distance, balls.touch, balls.gap, this->Run.phase(0.3, 0.5));
-    return this->fitted(this->boundaryOf(field, this->Run.phase(0.5, 0.6)));
+    const SurfaceMesh surface = this->boundaryOf(field, this->Run.phase(0.5, 0.6));
+    this->requireFound(surface);
+    return this->fitted(surface);
   }
 
 private:
@@ -148,6 +150,19 @@ private:
     const SurfaceMesh surface = isosurface(this->Grid, field, options, execution);
     const SurfaceMesh kept = dropSmallComponents(surface, 4.0 * this->cell());
     return kept.faceCount() > 0 ? kept : surface;
+  }
+
+  /// Balls of too small a gap size pass between the points.
+  void requireFound(const SurfaceMesh& surface) const
+  {
+    if (surface.faceCount() == 0)
+    {
+      std::ostringstream message;
+      message << "No surface lies between the points for a GapSize of " << this->Options.gapSize
+              << " where they are " << this->Spacing << " apart in the mean, expected at least "
+              << SmallestGap * this->Spacing << "; set 0 for an automatic one.";
+      throw InputError(message.str());
+    }
   }
 
   /// Points have no area of their own; the surface around them has.
@@ -200,11 +215,11 @@ private:
   {
     EditableSurface editable(surface);
     setUniformSizes(editable, ElementPerSpacing * this->Spacing);
-    const Execution now = this->Run.phase(0.6, 0.6);
-    runGuarded(editable, &PointSurface::coarsen, now);
+    runGuarded(editable, &PointSurface::coarsen, this->Run.phase(0.6, 0.6));
     for (int round = 0; round < FitRounds; ++round)
     {
-      this->Run.report(0.6 + 0.4 * round / FitRounds);
+      const double done = 0.6 + 0.4 * round / FitRounds;
+      const Execution now = this->Run.phase(done, done); // parts may run again
       runGuarded(
         editable,
         [&](EditableSurface& s)
