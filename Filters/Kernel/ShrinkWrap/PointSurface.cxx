@@ -131,11 +131,13 @@ public:
     const double largest = std::max(this->Options.gapSize, LargestGap * this->Spacing);
     this->Grid = tightGrid(this->Bounds, this->Options.sampleDimensions, 0.5 * largest);
     this->Distance = distanceTo(this->Points, this->Grid, this->Run.phase(0.2, 0.3));
-    const Balls balls = this->chooseBalls();
-    const std::vector<float> field =
-      closeGaps(this->Grid, this->Distance, balls.touch, balls.gap, this->Run.phase(0.3, 0.5));
-    const SurfaceMesh surface = this->boundaryOf(field, this->Run.phase(0.5, 0.6));
-    this->requireFound(surface);
+    SurfaceMesh surface = this->leftBy(this->chooseBalls(), this->Run.phase(0.3, 0.6));
+    if (surface.faceCount() == 0)
+    {
+      Balls apart = this->aroundSheet();
+      apart.touch = std::max(apart.touch, this->cell()); // some samples are that near
+      surface = this->leftBy(apart, this->Run.phase(0.6, 0.6));
+    }
     return this->fitted(surface);
   }
 
@@ -152,17 +154,18 @@ private:
     return kept.faceCount() > 0 ? kept : surface;
   }
 
-  /// Balls of too small a gap size pass between the points.
-  void requireFound(const SurfaceMesh& surface) const
+  /// The surface around what balls cannot come to; empty where they come in everywhere.
+  SurfaceMesh leftBy(const Balls& balls, const Execution& execution) const
   {
-    if (surface.faceCount() == 0)
-    {
-      std::ostringstream message;
-      message << "No surface lies between the points for a GapSize of " << this->Options.gapSize
-              << " where they are " << this->Spacing << " apart in the mean, expected at least "
-              << SmallestGap * this->Spacing << "; set 0 for an automatic one.";
-      throw InputError(message.str());
-    }
+    const std::vector<float> field =
+      closeGaps(this->Grid, this->Distance, balls.touch, balls.gap, execution.phase(0.0, 0.7));
+    return this->boundaryOf(field, execution.phase(0.7, 1.0));
+  }
+
+  /// They leave a wall around the points.
+  Balls aroundSheet() const
+  {
+    return { 2.0 * SmallestGap * this->Spacing, WallPerSpacing * this->Spacing };
   }
 
   /// Points have no area of their own; the surface around them has.
@@ -204,7 +207,7 @@ private:
     const double most = *std::max_element(volumes.begin(), volumes.end());
     if (most < LeastThickness * this->Spacing * this->Area)
     {
-      return { 2.0 * SmallestGap * this->Spacing, WallPerSpacing * this->Spacing };
+      return this->aroundSheet();
     }
     const auto first = std::find_if(
       volumes.begin(), volumes.end(), [most](double volume) { return volume > ClosedPart * most; });

@@ -25,8 +25,7 @@ namespace evolving
  * @param points in any order; one given twice counts once
  * @param options sampleDimensions, and gapSize: the balls' diameter, 0 = found as said
  * @return closed, 2-manifold, outwards, of triangles
- * @throws InputError for fewer than four different points, or points on a line: they bound nothing;
- * and for a gap size that points so far apart do not close
+ * @throws InputError for fewer than four different points, or points on a line: they bound nothing
  * @throws Cancelled
  */
 SurfaceMesh surfaceAmidst(
