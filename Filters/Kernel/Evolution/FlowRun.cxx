@@ -101,8 +101,8 @@ void FlowRun::stepOrStop()
   {
     // Progress never goes back: that of the first try stands.
     const Execution all = this->stepExecution();
-    failure = this->tryStep(
-      this->Setup.parts.count << halvings, halvings == 0 ? all : all.phase(1.0, 1.0));
+    failure =
+      this->tryStep(this->Setup.parts.count << halvings, halvings == 0 ? all : all.phase(1.0, 1.0));
     if (failure.empty())
     {
       return;

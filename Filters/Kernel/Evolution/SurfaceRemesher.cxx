@@ -185,8 +185,8 @@ std::optional<SurfaceMesh> SurfaceRemesher::remesh(
   surface.compact();
   const SurfaceMesh evolved = surface.mesh();
   setSizes(surface, largestSizes(evolved), this->Options.edgeLength, this->Options.sizing);
-  requireFewVertices(surface, this->Options.edgeLength,
-    std::max(MostVertices, MostFiner * evolved.vertexCount()));
+  requireFewVertices(
+    surface, this->Options.edgeLength, std::max(MostVertices, MostFiner * evolved.vertexCount()));
   const bool isWhole = evolved.faceCount() == input.surface.faceCount();
   if (isWhole && !input.isLast && hasGoodElements(surface, evolved))
   {

@@ -211,10 +211,9 @@ TEST(ShrinkWrap, ProgressNeverGoesBack)
     std::vector<double> fractions;
     const Execution execution(
       nullptr, [&](double fraction) { fractions.push_back(fraction); }, nullptr);
-    const ShrinkWrapProblem problem =
-      prepareShrinkWrap(points, options, execution.phase(0.0, 0.3));
-    SurfaceFlow flow(problem.start, problem.field, problem.remesher, problem.flow,
-      execution.phase(0.3, 1.0));
+    const ShrinkWrapProblem problem = prepareShrinkWrap(points, options, execution.phase(0.0, 0.3));
+    SurfaceFlow flow(
+      problem.start, problem.field, problem.remesher, problem.flow, execution.phase(0.3, 1.0));
     while (!flow.isFinished())
     {
       flow.step();
