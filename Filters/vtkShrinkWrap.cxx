@@ -231,7 +231,8 @@ void vtkShrinkWrap::Solve(vtkPolyData* input, const evolving::Execution& executi
   const int pointType = KernelBridge::PointType(input);
   auto series = std::make_unique<EvolutionSeries>(pointType, true, makeFlow,
     PublishedIterations(options), SeriesBytes, execution.phase(0.3, 0.9));
-  evolving::SurfaceMesh result = series->Mesh(PublishedIterations(options).size() - 1, execution);
+  evolving::SurfaceMesh result =
+    series->Mesh(PublishedIterations(options).size() - 1, execution.phase(0.9, 0.9));
   KernelBridge::RoundPoints(pointType, result.points);
   this->Solved->Report = evolving::examine(
     result, [&problem](const evolving::Vec3& p) { return problem.reference->deviation(p); },

@@ -50,7 +50,8 @@ auto members(const FlowOptions& o)
   return std::tie(o.timeStep, o.numberOfSteps, o.curvatureSpeed, o.curvatureRange, o.advectionSpeed,
     o.advectionBalance, o.relativeUnits, o.fieldMode, o.edgeSharpness, o.unsignedField,
     o.redistribution, o.smoothingSteps, o.smoothingSpeed, o.smoothingDecay, o.boundaryMode,
-    o.surfaceGuard, o.convergenceTolerance, o.stallSteps, o.longestAdvection, o.remeshingInterval, o.solverTolerance);
+    o.surfaceGuard, o.convergenceTolerance, o.stallSteps, o.longestAdvection, o.remeshingInterval,
+    o.solverTolerance);
 }
 
 } // namespace

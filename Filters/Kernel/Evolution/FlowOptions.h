@@ -88,7 +88,7 @@ struct FlowOptions
   double convergenceTolerance = 0.0; ///< fraction of L; 0 = run all steps
   int stallSteps = 0; ///< without getting nearer to the target, see StallTest; 0 = any number
   double longestAdvection = 0.0; ///< of a vertex in a step, in its mean edge lengths; 0 = any
-  int remeshingInterval = 1; ///< steps from remeshing to remeshing, with a remesher
+  int remeshingInterval = 1;     ///< steps from remeshing to remeshing, with a remesher
   double solverTolerance = 1e-10;
 
   /// Is the step after that iteration one of the smoothing steps?
@@ -103,7 +103,8 @@ bool operator==(const FlowOptions& a, const FlowOptions& b);
 /**
  * @throws InputError when a parameter is not a finite number or out of its range: the time step
  * and curvatureRange positive, counts, speeds and rates not negative, advectionBalance in [0, 1],
- * longestAdvection not negative, solverTolerance in (0, 0.1], surfaceGuard and remeshingInterval at least 1.
+ * longestAdvection not negative, solverTolerance in (0, 0.1], surfaceGuard and remeshingInterval at
+ * least 1.
  */
 void checkOptions(const FlowOptions& options);
 void checkOptions(const RedistributionOptions& options);

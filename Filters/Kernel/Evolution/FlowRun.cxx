@@ -99,7 +99,10 @@ void FlowRun::stepOrStop()
   std::string failure;
   for (int halvings = 0; halvings <= MostHalvings; ++halvings)
   {
-    failure = this->tryStep(this->Setup.parts.count << halvings);
+    // Progress never goes back: that of the first try stands.
+    const Execution all = this->stepExecution();
+    failure =
+      this->tryStep(this->Setup.parts.count << halvings, halvings == 0 ? all : all.phase(1.0, 1.0));
     if (failure.empty())
     {
       return;
@@ -118,8 +121,9 @@ void FlowRun::tidyLastState()
   const FlowRecord record = this->Record;
   try
   {
-    this->Surface.remesh(true, this->stepExecution());
-    this->evaluate(this->stepExecution());
+    const Execution now = this->stepExecution().phase(1.0, 1.0);
+    this->Surface.remesh(true, now);
+    this->evaluate(now);
   }
   catch (const SolverError&)
   {
@@ -129,7 +133,7 @@ void FlowRun::tidyLastState()
 }
 
 /// Returns why the step failed, and undoes it then; empty when it did not.
-std::string FlowRun::tryStep(int parts)
+std::string FlowRun::tryStep(int parts, const Execution& execution)
 {
   const SurfacePlace placeBefore = this->Surface.place();
   const FlowRecord recordBefore = this->Record;
@@ -138,7 +142,6 @@ std::string FlowRun::tryStep(int parts)
     this->Surface.setPlace(placeBefore, Execution());
     this->Record = recordBefore;
   };
-  const Execution execution = this->stepExecution();
   this->Surface.resetSolverIterations();
   try
   {
@@ -168,14 +171,14 @@ void FlowRun::arrive(const std::vector<Vec3>& before, const Execution& execution
   const bool isRenewed = isLast || this->isRemeshingDue();
   if (isRenewed)
   {
-    this->Surface.remesh(isLast, execution.phase(0.0, 0.5));
+    this->Surface.remesh(isLast, execution.phase(0.0, 0.4));
   }
-  this->evaluate(execution.phase(0.5, 1.0));
+  this->evaluate(execution.phase(0.4, 0.5));
   const bool isStuck = isTowardsTarget && isRenewed && this->hasStalled();
   if (isStuck && !isLast)
   {
-    this->Surface.remesh(true, execution.phase(0.5, 1.0));
-    this->evaluate(execution.phase(0.5, 1.0));
+    this->Surface.remesh(true, execution.phase(0.5, 0.9));
+    this->evaluate(execution.phase(0.9, 1.0));
   }
   this->Converged = this->Converged || hasStopped || isStuck;
 }

@@ -50,7 +50,7 @@ private:
   void evaluate(const Execution& execution);
   void stepOrStop();
   void tidyLastState();
-  std::string tryStep(int parts);
+  std::string tryStep(int parts, const Execution& execution);
   void arrive(const std::vector<Vec3>& before, const Execution& execution);
   void repeatState();
   void countIteration();

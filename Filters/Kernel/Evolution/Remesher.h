@@ -24,7 +24,7 @@ struct RemeshingInput
   const SurfaceMesh& surface; ///< after a step; components that have shrunk to points are in it
   const std::vector<Vec3>& before;     ///< its points when it got its elements
   const std::vector<double>& distance; ///< the field's value at the vertices, or empty
-  bool isLast; ///< the flow ends here: the result is what remains
+  bool isLast;                         ///< the flow ends here: the result is what remains
 };
 
 /**

@@ -15,6 +15,7 @@
 #include "Remeshing/SizingField.h"
 #include "Remeshing/StageGuard.h"
 #include "Remeshing/StarOptimization.h"
+#include "Remeshing/VertexBudget.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +44,8 @@ constexpr int PolishPasses = 2;
 /// At the end smallest angles up to this are worth a search, in degrees; and how many rounds of it.
 constexpr double WantedAngle = 40.0;
 constexpr int StarRounds = 3;
+/// Elements of large surfaces may be renewed, and made finer within reason.
+constexpr double MostFiner = 4.0;
 /// Of a boundary that must keep its shape, in sizes: rounding of vertices in a straight line.
 constexpr double StraightCut = 1e-6;
 
@@ -182,6 +185,8 @@ std::optional<SurfaceMesh> SurfaceRemesher::remesh(
   surface.compact();
   const SurfaceMesh evolved = surface.mesh();
   setSizes(surface, largestSizes(evolved), this->Options.edgeLength, this->Options.sizing);
+  requireFewVertices(
+    surface, this->Options.edgeLength, std::max(MostVertices, MostFiner * evolved.vertexCount()));
   const bool isWhole = evolved.faceCount() == input.surface.faceCount();
   if (isWhole && !input.isLast && hasGoodElements(surface, evolved))
   {

@@ -6,10 +6,42 @@
 #include "Errors.h"
 #include "Mesh/MeshTopology.h"
 
-#include <algorithm>
-
 namespace evolving
 {
+
+namespace
+{
+
+/// New numbers, in order, for those that are used; NoIndex for the others.
+template <class IsUsed>
+std::vector<Index> numbersOfUsed(Index slots, const IsUsed& isUsed)
+{
+  std::vector<Index> numbers;
+  Index used = 0;
+  for (Index i = 0; i < slots; ++i)
+  {
+    numbers.push_back(isUsed(i) ? used++ : NoIndex);
+  }
+  return numbers;
+}
+
+/// Moves values to their new numbers, so many to a number, and drops the others.
+template <class Value>
+void keepNumbered(
+  std::vector<Value>& values, const std::vector<Index>& numbers, std::size_t width = 1)
+{
+  auto end = values.begin();
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    for (std::size_t k = 0; numbers[i] != NoIndex && k < width; ++k)
+    {
+      *end++ = values[width * i + k];
+    }
+  }
+  values.erase(end, values.end());
+}
+
+} // namespace
 
 EditableSurface::EditableSurface(const SurfaceMesh& mesh)
   : Points(mesh.points)
@@ -44,20 +76,16 @@ EditableSurface::EditableSurface(const SurfaceMesh& mesh)
 SurfaceMesh EditableSurface::mesh() const
 {
   SurfaceMesh mesh;
-  std::vector<Index> number(this->Points.size(), NoIndex);
-  for (Index v = 0; v < this->vertexSlots(); ++v)
-  {
-    if (this->hasVertex(v))
-    {
-      number[at(v)] = mesh.addPoint(this->point(v));
-    }
-  }
+  const auto numbers =
+    numbersOfUsed(this->vertexSlots(), [this](Index v) { return this->hasVertex(v); });
+  mesh.points = this->Points;
+  keepNumbered(mesh.points, numbers);
   for (Index f = 0; f < this->faceSlots(); ++f)
   {
     if (this->hasFace(f))
     {
-      mesh.addFace({ number[at(this->from(3 * f))], number[at(this->from(3 * f + 1))],
-        number[at(this->from(3 * f + 2))] });
+      mesh.addFace({ numbers[at(this->from(3 * f))], numbers[at(this->from(3 * f + 1))],
+        numbers[at(this->from(3 * f + 2))] });
     }
   }
   return mesh;
@@ -65,55 +93,29 @@ SurfaceMesh EditableSurface::mesh() const
 
 void EditableSurface::compact()
 {
-  std::vector<Index> vertexNumber(this->Points.size(), NoIndex);
-  Index vertices = 0;
-  for (Index v = 0; v < this->vertexSlots(); ++v)
+  const auto vertices =
+    numbersOfUsed(this->vertexSlots(), [this](Index v) { return this->hasVertex(v); });
+  const auto faces = numbersOfUsed(this->faceSlots(), [this](Index f) { return this->hasFace(f); });
+  keepNumbered(this->Points, vertices);
+  keepNumbered(this->Sizes, vertices);
+  keepNumbered(this->Guesses, vertices);
+  keepNumbered(this->Holds, vertices);
+  keepNumbered(this->Outgoing, vertices);
+  keepNumbered(this->Labels, faces);
+  keepNumbered(this->Vertex, faces, 3);
+  keepNumbered(this->Opposite, faces, 3);
+  keepNumbered(this->Curves, faces, 3);
+  for (Index& v : this->Vertex)
   {
-    if (this->hasVertex(v))
+    v = vertices[at(v)];
+  }
+  for (std::vector<Index>* edges : { &this->Outgoing, &this->Opposite })
+  {
+    for (Index& e : *edges)
     {
-      vertexNumber[at(v)] = vertices;
-      this->Points[at(vertices)] = this->Points[at(v)];
-      this->Sizes[at(vertices)] = this->Sizes[at(v)];
-      this->Guesses[at(vertices)] = this->Guesses[at(v)];
-      this->Holds[at(vertices)] = this->Holds[at(v)];
-      this->Outgoing[at(vertices++)] = this->Outgoing[at(v)];
+      e = e == NoIndex ? NoIndex : 3 * faces[at(faceOf(e))] + e % 3;
     }
   }
-  std::vector<Index> faceNumber(at(this->faceSlots()), NoIndex);
-  Index faces = 0;
-  for (Index f = 0; f < this->faceSlots(); ++f)
-  {
-    if (this->hasFace(f))
-    {
-      faceNumber[at(f)] = faces++;
-    }
-  }
-  const auto edgeNumber = [&](Index e)
-  { return e == NoIndex ? NoIndex : 3 * faceNumber[at(faceOf(e))] + e % 3; };
-  for (Index f = 0; f < static_cast<Index>(faceNumber.size()); ++f)
-  {
-    const Index to = faceNumber[at(f)];
-    for (Index k = 0; to != NoIndex && k < 3; ++k)
-    {
-      this->Vertex[at(3 * to + k)] = vertexNumber[at(this->Vertex[at(3 * f + k)])];
-      this->Opposite[at(3 * to + k)] = edgeNumber(this->Opposite[at(3 * f + k)]);
-      this->Curves[at(3 * to + k)] = this->Curves[at(3 * f + k)];
-      this->Labels[at(to)] = this->Labels[at(f)];
-    }
-  }
-  this->Points.resize(at(vertices));
-  this->Sizes.resize(at(vertices));
-  this->Guesses.resize(at(vertices));
-  this->Holds.resize(at(vertices));
-  this->Outgoing.resize(at(vertices));
-  for (Index& e : this->Outgoing)
-  {
-    e = edgeNumber(e);
-  }
-  this->Vertex.resize(at(3 * faces));
-  this->Opposite.resize(at(3 * faces));
-  this->Curves.resize(at(3 * faces));
-  this->Labels.resize(at(faces));
 }
 
 bool EditableSurface::isLockedFace(Index f) const
@@ -176,226 +178,6 @@ Vec3 EditableSurface::normal(Index v) const
   Vec3 sum = Vec3::Zero();
   this->forEachOutgoing(v, [&](Index e) { sum += this->doubleArea(faceOf(e)); });
   return sum.stableNormalized();
-}
-
-void EditableSurface::join(Index e, Index f)
-{
-  if (e != NoIndex)
-  {
-    this->Opposite[at(e)] = f;
-  }
-  if (f != NoIndex)
-  {
-    this->Opposite[at(f)] = e;
-  }
-}
-
-Index EditableSurface::addFace(Index label)
-{
-  const Index f = this->faceSlots();
-  this->Vertex.resize(at(3 * f + 3), NoIndex);
-  this->Opposite.resize(at(3 * f + 3), NoIndex);
-  this->Curves.resize(at(3 * f + 3), NoIndex);
-  this->Labels.push_back(label);
-  return f;
-}
-
-void EditableSurface::setEdge(Index e, Index from, Index opposite, Index curve)
-{
-  this->Vertex[at(e)] = from;
-  this->Curves[at(e)] = curve;
-  this->Opposite[at(e)] = NoIndex;
-  this->join(e, opposite);
-}
-
-void EditableSurface::removeFace(Index f)
-{
-  std::fill_n(this->Vertex.begin() + 3 * f, 3, NoIndex);
-  std::fill_n(this->Opposite.begin() + 3 * f, 3, NoIndex);
-}
-
-/// Makes e, or the boundary edge clockwise from it, the first edge of its vertex.
-void EditableSurface::settleOutgoing(Index v, Index e)
-{
-  this->Outgoing[at(v)] = e;
-  for (Index back = this->opposite(e); back != NoIndex;
-       back = this->opposite(this->Outgoing[at(v)]))
-  {
-    const Index clockwise = next(back);
-    if (clockwise == e)
-    {
-      return;
-    }
-    this->Outgoing[at(v)] = clockwise;
-  }
-}
-
-Index EditableSurface::split(Index e, const Vec3& point)
-{
-  const Index o = this->opposite(e);
-  const Index a = this->from(e);
-  const Index b = this->to(e);
-  const Index curve = this->curve(e);
-  const Index m = this->vertexSlots();
-  this->Points.push_back(point);
-  this->Sizes.push_back(this->size(a, b));
-  this->Guesses.push_back(this->guess(a));
-  this->Holds.push_back(0);
-  this->Outgoing.push_back(NoIndex);
-  // (a, b, c) becomes (a, m, c) and a new face (m, b, c).
-  const auto halve = [this, m](Index edge)
-  {
-    const Index c = this->apex(edge);
-    const Index far = this->to(edge);
-    const Index n = next(edge);
-    const Index face = this->addFace(this->label(faceOf(edge)));
-    this->setEdge(3 * face + 1, far, this->opposite(n), this->curve(n));
-    this->setEdge(3 * face, m, NoIndex, NoIndex);
-    this->setEdge(3 * face + 2, c, NoIndex, NoIndex);
-    this->setEdge(n, m, 3 * face + 2, NoIndex);
-    return 3 * face;
-  };
-  const Index mb = halve(e);
-  Index ma = NoIndex;
-  if (o != NoIndex)
-  {
-    ma = halve(o);
-    this->join(mb, o);
-    this->join(e, ma);
-    this->setCurve(o, curve);
-    this->setCurve(ma, curve);
-  }
-  this->setCurve(mb, curve);
-  this->setCurve(e, curve);
-  this->Outgoing[at(m)] = mb;
-  this->settleOutgoing(b, next(mb));
-  this->settleOutgoing(a, e);
-  this->settleOutgoing(m, mb);
-  return m;
-}
-
-bool EditableSurface::canFlip(Index e) const
-{
-  const Index o = this->opposite(e);
-  if (o == NoIndex || this->isFeature(e) || this->isLockedFace(faceOf(e)) ||
-    this->isLockedFace(faceOf(o)))
-  {
-    return false;
-  }
-  const Index c = this->apex(e);
-  const Index d = this->apex(o);
-  const auto hasRoom = [this](Index v) { return this->isBoundary(v) || this->valence(v) > 3; };
-  return c != d && hasRoom(this->from(e)) && hasRoom(this->to(e)) && !this->areNeighbours(c, d);
-}
-
-void EditableSurface::flip(Index e)
-{
-  const Index o = this->opposite(e);
-  const Index a = this->from(e);
-  const Index b = this->to(e);
-  const Index c = this->apex(e);
-  const Index d = this->apex(o);
-  const Index bc = next(e);
-  const Index ca = previous(e);
-  const Index ad = next(o);
-  const Index db = previous(o);
-  const Index outerCA = this->opposite(ca);
-  const Index outerDB = this->opposite(db);
-  const Index curveCA = this->curve(ca);
-  const Index curveDB = this->curve(db);
-  // (a, b, c), (b, a, d) become (d, b, c), (c, a, d): e is d-b, o is c-a, the new edge c-d.
-  this->setEdge(e, d, outerDB, curveDB);
-  this->setEdge(o, c, outerCA, curveCA);
-  this->setEdge(ca, c, NoIndex, NoIndex);
-  this->setEdge(db, d, ca, NoIndex);
-  this->settleOutgoing(a, ad);
-  this->settleOutgoing(b, bc);
-  this->settleOutgoing(c, o);
-  this->settleOutgoing(d, e);
-}
-
-bool EditableSurface::canCollapse(Index e) const
-{
-  const Index o = this->opposite(e);
-  const Index a = this->from(e);
-  const Index b = this->to(e);
-  if (o != NoIndex && this->isBoundary(a) && this->isBoundary(b))
-  {
-    return false; // the surface would be pinched
-  }
-  const auto apexHasRoom = [this](Index edge)
-  {
-    const Index c = this->apex(edge);
-    // Two features that become one edge enclose a patch, or a boundary, that would vanish.
-    const bool isBetweenFeatures = this->isFeature(next(edge)) && this->isFeature(previous(edge));
-    return !isBetweenFeatures && (this->isBoundary(c) || this->valence(c) > 3);
-  };
-  if (!apexHasRoom(e) || (o != NoIndex && !apexHasRoom(o)))
-  {
-    return false;
-  }
-  Index common = 0;
-  this->forEachNeighbour(
-    a, [&](Index u) { common += u != b && this->areNeighbours(b, u) ? 1 : 0; });
-  return common == (o == NoIndex ? 1 : 2);
-}
-
-/// Joins what lay beyond the two edges of a face that an edge of it, now a point, leaves alone.
-void EditableSurface::closeGap(Index face, Index edge)
-{
-  const Index first = next(edge);
-  const Index second = previous(edge);
-  const Index outerFirst = this->opposite(first);
-  const Index outerSecond = this->opposite(second);
-  const Index curve = std::max(this->curve(first), this->curve(second));
-  const Index b = this->from(first);
-  const Index c = this->from(second);
-  this->removeFace(face);
-  this->join(outerFirst, outerSecond);
-  for (const Index outer : { outerFirst, outerSecond })
-  {
-    if (outer != NoIndex)
-    {
-      this->Curves[at(outer)] = curve;
-    }
-  }
-  // outerFirst runs c -> b, outerSecond b -> c.
-  const Index atB = outerSecond != NoIndex ? outerSecond : next(outerFirst);
-  const Index atC = outerFirst != NoIndex ? outerFirst : next(outerSecond);
-  this->Outgoing[at(b)] = atB;
-  this->Outgoing[at(c)] = atC;
-}
-
-void EditableSurface::collapse(Index e)
-{
-  const Index o = this->opposite(e);
-  const Index a = this->from(e);
-  const Index b = this->to(e);
-  const Index c = this->apex(e);
-  const Index d = o == NoIndex ? NoIndex : this->apex(o);
-  std::vector<Index> moved;
-  this->forEachOutgoing(a, [&](Index out) { moved.push_back(out); });
-  for (const Index out : moved)
-  {
-    this->Vertex[at(out)] = b;
-  }
-  this->closeGap(faceOf(e), e);
-  if (o != NoIndex)
-  {
-    this->closeGap(faceOf(o), o);
-    this->settleOutgoing(d, this->Outgoing[at(d)]);
-  }
-  this->settleOutgoing(b, this->Outgoing[at(b)]);
-  this->settleOutgoing(c, this->Outgoing[at(c)]);
-  this->Outgoing[at(a)] = NoIndex;
-}
-
-void EditableSurface::takeOver(Index v, Index from)
-{
-  this->Points[at(v)] = this->Points[at(from)];
-  this->Sizes[at(v)] = this->Sizes[at(from)];
-  this->Guesses[at(v)] = this->Guesses[at(from)];
-  this->Holds[at(v)] = this->Holds[at(from)];
 }
 
 } // namespace evolving

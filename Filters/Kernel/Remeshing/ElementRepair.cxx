@@ -9,7 +9,6 @@
 #include "Remeshing/StarOptimization.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -20,7 +19,6 @@ namespace evolving
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
 /// A try must raise the smallest angle by so much, in degrees.
 constexpr double LeastGain = 0.3;
 /// Stars are improved up to this angle, and for so many rounds, after each try.
@@ -31,9 +29,7 @@ constexpr std::size_t MostFaces = 300;
 
 double angleOf(const EditableSurface& surface, Index f)
 {
-  const double cosine =
-    cosineOfSmallestAngle(surface.corner(f, 0), surface.corner(f, 1), surface.corner(f, 2));
-  return std::acos(std::min(1.0, cosine)) * 180.0 / Pi;
+  return smallestAngle(surface.corner(f, 0), surface.corner(f, 1), surface.corner(f, 2));
 }
 
 /// The vertices within some rings of a few, in ascending order.

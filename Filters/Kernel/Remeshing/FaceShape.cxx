@@ -3,9 +3,10 @@
 
 #include "Remeshing/FaceShape.h"
 
+#include "Mesh/Angles.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace evolving
 {
@@ -26,6 +27,11 @@ double cosineOfSmallestAngle(const Vec3& a, const Vec3& b, const Vec3& c)
   const double shortest = std::min({ ab, bc, ca });
   const double product = shortest == ab ? bc * ca : (shortest == bc ? ab * ca : ab * bc);
   return product > 0.0 ? (ab + bc + ca - 2.0 * shortest) / (2.0 * std::sqrt(product)) : 1.0;
+}
+
+double smallestAngle(const Vec3& a, const Vec3& b, const Vec3& c)
+{
+  return std::acos(std::min(1.0, cosineOfSmallestAngle(a, b, c))) * DegreesPerRadian;
 }
 
 } // namespace evolving

@@ -4,7 +4,6 @@
 #include "Remeshing/PeakFit.h"
 
 #include "Distance/TriangleGeometry.h"
-#include "Mesh/Angles.h"
 #include "ParallelLoops.h"
 #include "Remeshing/Barycentric.h"
 #include "Remeshing/FaceShape.h"
@@ -76,15 +75,15 @@ bool areUpright(
 }
 
 /// In degrees.
-double smallestAngle(const EditableSurface& surface, const std::vector<Index>& faces)
+double smallestAngleOf(const EditableSurface& surface, const std::vector<Index>& faces)
 {
-  double cosine = 0.5;
+  double smallest = 60.0;
   for (const Index f : faces)
   {
-    cosine = std::max(cosine,
-      cosineOfSmallestAngle(surface.corner(f, 0), surface.corner(f, 1), surface.corner(f, 2)));
+    smallest = std::min(
+      smallest, smallestAngle(surface.corner(f, 0), surface.corner(f, 1), surface.corner(f, 2)));
   }
-  return std::acos(std::min(1.0, cosine)) * DegreesPerRadian;
+  return smallest;
 }
 
 } // namespace
@@ -180,13 +179,13 @@ bool PeakFit::approach(std::size_t s, const std::vector<Index>& faces, double le
     }
   };
   const std::vector<Vec3> areas = areasOf(this->Surface, faces);
-  const double bound = std::min(leastAngle, smallestAngle(this->Surface, faces));
+  const double bound = std::min(leastAngle, smallestAngleOf(this->Surface, faces));
   double best = LeastGain * this->largestDistance(faces, Unbounded);
   double bestFraction = 0.0;
   for (const double fraction : Fractions)
   {
     moveBy(fraction);
-    if (smallestAngle(this->Surface, faces) >= bound && areUpright(this->Surface, faces, areas))
+    if (smallestAngleOf(this->Surface, faces) >= bound && areUpright(this->Surface, faces, areas))
     {
       const double distance = this->largestDistance(faces, best);
       if (distance < best)

@@ -3,6 +3,7 @@
 
 #include "Remeshing/StarOptimization.h"
 
+#include "Mesh/Angles.h"
 #include "ParallelLoops.h"
 #include "Remeshing/FaceShape.h"
 #include "Remeshing/Relaxation.h"
@@ -18,7 +19,6 @@ namespace evolving
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
 constexpr int Directions = 8;
 /// The search begins with moves of this fraction of the size and halves them so often.
 constexpr double FirstMove = 0.15;
@@ -106,7 +106,7 @@ private:
       goesOn = false;
       for (int k = 0; k < Directions; ++k)
       {
-        const double angle = 2.0 * Pi * k / Directions;
+        const double angle = 360.0 * RadiansPerDegree * k / Directions;
         if (this->tryMove(v, move * (std::cos(angle) * this->U + std::sin(angle) * this->V)))
         {
           goesOn = true;
@@ -209,7 +209,7 @@ std::vector<std::pair<double, Index>> verticesOfBadFaces(
 Index optimizeStarsOf(EditableSurface& surface, const ReferenceSurface& reference,
   const std::vector<Index>& vertices, double degrees, int rounds)
 {
-  const double limit = std::cos(degrees * Pi / 180.0);
+  const double limit = std::cos(degrees * RadiansPerDegree);
   StarSearch search(surface, reference);
   Index moves = 0;
   for (int round = 0; round < rounds; ++round)
@@ -231,7 +231,7 @@ Index optimizeStarsOf(EditableSurface& surface, const ReferenceSurface& referenc
 Index optimizeStars(EditableSurface& surface, const ReferenceSurface& reference, double degrees,
   int rounds, const Execution& execution)
 {
-  const double limit = std::cos(degrees * Pi / 180.0);
+  const double limit = std::cos(degrees * RadiansPerDegree);
   StarSearch search(surface, reference);
   Index moves = 0;
   for (int round = 0; round < rounds; ++round)

@@ -20,6 +20,19 @@ namespace
 /// Sides face each other when the cosine between their normals is below this.
 constexpr double FacingCosine = -0.8;
 
+/// Does another side face a point on its way along a ray?
+bool meetsOtherSide(const AABBTree& tree, const Ray& ray, const Vec3& normal)
+{
+  const std::vector<RayHit> hits = tree.hits(ray);
+  return std::any_of(hits.begin(), hits.end(),
+    [&](const RayHit& hit)
+    {
+      const Vec3 other = tree.triangle(hit.triangle).doubleAreaNormal().stableNormalized();
+      const bool isAhead = hit.parameter > 0.0 && hit.parameter <= 1.0;
+      return isAhead && other.dot(normal) < FacingCosine;
+    });
+}
+
 } // namespace
 
 Index keepFrontsApart(SurfaceMesh& surface, const std::vector<Vec3>& before,
@@ -39,20 +52,10 @@ Index keepFrontsApart(SurfaceMesh& surface, const std::vector<Vec3>& before,
     {
       for (auto v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v)
       {
-        if (std::abs(distance[at(v)]) <= thickness)
-        {
-          continue;
-        }
-        const Ray ray{ surface.points[at(v)], -thickness * normals[at(v)] };
-        for (const RayHit& hit : tree.hits(ray))
-        {
-          const Vec3 normal = tree.triangle(hit.triangle).doubleAreaNormal().stableNormalized();
-          const bool isAhead = hit.parameter > 0.0 && hit.parameter <= 1.0;
-          if (isAhead && normal.dot(normals[at(v)]) < FacingCosine)
-          {
-            isContact[at(v)] = 1;
-          }
-        }
+        const Vec3& normal = normals[at(v)];
+        const Ray inwards{ surface.points[at(v)], -thickness * normal };
+        const bool isFar = std::abs(distance[at(v)]) > thickness;
+        isContact[at(v)] = isFar && meetsOtherSide(tree, inwards, normal) ? 1 : 0;
       }
     });
   for (Index v = 0; v < surface.vertexCount(); ++v)

@@ -131,10 +131,14 @@ public:
     const double largest = std::max(this->Options.gapSize, LargestGap * this->Spacing);
     this->Grid = tightGrid(this->Bounds, this->Options.sampleDimensions, 0.5 * largest);
     this->Distance = distanceTo(this->Points, this->Grid, this->Run.phase(0.2, 0.3));
-    const Balls balls = this->chooseBalls();
-    const std::vector<float> field =
-      closeGaps(this->Grid, this->Distance, balls.touch, balls.gap, this->Run.phase(0.3, 0.5));
-    return this->fitted(this->boundaryOf(field, this->Run.phase(0.5, 0.6)));
+    SurfaceMesh surface = this->leftBy(this->chooseBalls(), this->Run.phase(0.3, 0.6));
+    if (surface.faceCount() == 0)
+    {
+      Balls apart = this->aroundSheet();
+      apart.touch = std::max(apart.touch, this->cell()); // some samples are that near
+      surface = this->leftBy(apart, this->Run.phase(0.6, 0.6));
+    }
+    return this->fitted(surface);
   }
 
 private:
@@ -148,6 +152,20 @@ private:
     const SurfaceMesh surface = isosurface(this->Grid, field, options, execution);
     const SurfaceMesh kept = dropSmallComponents(surface, 4.0 * this->cell());
     return kept.faceCount() > 0 ? kept : surface;
+  }
+
+  /// The surface around what balls cannot come to; empty where they come in everywhere.
+  SurfaceMesh leftBy(const Balls& balls, const Execution& execution) const
+  {
+    const std::vector<float> field =
+      closeGaps(this->Grid, this->Distance, balls.touch, balls.gap, execution.phase(0.0, 0.7));
+    return this->boundaryOf(field, execution.phase(0.7, 1.0));
+  }
+
+  /// They leave a wall around the points.
+  Balls aroundSheet() const
+  {
+    return { 2.0 * SmallestGap * this->Spacing, WallPerSpacing * this->Spacing };
   }
 
   /// Points have no area of their own; the surface around them has.
@@ -189,7 +207,7 @@ private:
     const double most = *std::max_element(volumes.begin(), volumes.end());
     if (most < LeastThickness * this->Spacing * this->Area)
     {
-      return { 2.0 * SmallestGap * this->Spacing, WallPerSpacing * this->Spacing };
+      return this->aroundSheet();
     }
     const auto first = std::find_if(
       volumes.begin(), volumes.end(), [most](double volume) { return volume > ClosedPart * most; });
@@ -200,11 +218,11 @@ private:
   {
     EditableSurface editable(surface);
     setUniformSizes(editable, ElementPerSpacing * this->Spacing);
-    const Execution now = this->Run.phase(0.6, 0.6);
-    runGuarded(editable, &PointSurface::coarsen, now);
+    runGuarded(editable, &PointSurface::coarsen, this->Run.phase(0.6, 0.6));
     for (int round = 0; round < FitRounds; ++round)
     {
-      this->Run.report(0.6 + 0.4 * round / FitRounds);
+      const double done = 0.6 + 0.4 * round / FitRounds;
+      const Execution now = this->Run.phase(done, done); // parts may run again
       runGuarded(
         editable,
         [&](EditableSurface& s)

@@ -3,10 +3,9 @@
 
 #include "ShrinkWrap/SheetOpenness.h"
 
-#include "Distance/TriangleGeometry.h"
+#include "ShrinkWrap/TrianglePlaces.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 namespace evolving
@@ -26,13 +25,6 @@ constexpr int Climbs = 12;
 constexpr double InnerRadii = 0.2;
 /// Less openness may be the grid's doing.
 constexpr double SurelyOpen = 0.5;
-
-/// The corners, the middles of the edges and the centroid.
-std::array<Vec3, 7> placesOf(const Triangle& t)
-{
-  const auto& [a, b, c] = t.corners;
-  return { a, b, c, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a), (a + b + c) / 3.0 };
-}
 
 } // namespace
 

@@ -4,7 +4,11 @@
 #include "ShrinkWrap/ShrinkWrap.h"
 
 #include "ParallelLoops.h"
+#include "Remeshing/EditableSurface.h"
+#include "Remeshing/SizingField.h"
+#include "Remeshing/VertexBudget.h"
 #include "ShrinkWrap/OuterRegion.h"
+#include "ShrinkWrap/WrapFinish.h"
 #include "ShrinkWrap/WrapRemesher.h"
 #include "ShrinkWrap/WrapTarget.h"
 #include "StartSurface/BoundingIcosphere.h"
@@ -54,6 +58,14 @@ std::shared_ptr<const ScalarImage> levelField(
     values[sample] = distance - static_cast<float>(level);
   }
   return std::make_shared<const ScalarImage>(target.grid, std::move(values));
+}
+
+/// An isosurface has about the area that the result will have.
+void requireFewAtTarget(const SurfaceMesh& start, double edgeLength)
+{
+  EditableSurface surface(start);
+  setUniformSizes(surface, sizeForEdges(edgeLength));
+  requireFewVertices(surface, edgeLength);
 }
 
 /// A sphere around the target that its flow can leave in triangles of the largest size.
@@ -110,6 +122,10 @@ ShrinkWrapProblem prepareShrinkWrap(
   const SurfaceMesh start = options.start == WrapStart::Icosphere
     ? sphereStart(*target)
     : region.boundary(execution.phase(0.7, 0.8));
+  if (options.start == WrapStart::Isosurface)
+  {
+    requireFewAtTarget(start, target->edgeLength);
+  }
   std::vector<double> distance;
   for (const Vec3& point : start.points)
   {

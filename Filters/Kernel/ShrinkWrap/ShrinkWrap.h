@@ -36,8 +36,8 @@ struct ShrinkWrapProblem
 
 /**
  * @param mesh the target: triangles in any state, or points only; not empty
- * @throws InputError for a target without extent, coordinates that are not finite, or options out
- * of range
+ * @throws InputError for a target without extent or area, coordinates that are not finite, options
+ * out of range, or ones that ask for more vertices than requireFewVertices() lets pass
  * @throws Cancelled
  */
 ShrinkWrapProblem prepareShrinkWrap(

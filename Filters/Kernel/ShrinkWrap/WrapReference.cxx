@@ -6,6 +6,7 @@
 #include "Distance/TriangleGeometry.h"
 #include "ParallelLoops.h"
 #include "Remeshing/Barycentric.h"
+#include "ShrinkWrap/TrianglePlaces.h"
 
 #include <algorithm>
 #include <array>
@@ -27,13 +28,6 @@ constexpr double ProbeRadii = 1.5;
 /// Where the closest point is on one wall, another may be too near: so often it pushes away.
 constexpr int Pushes = 3;
 constexpr double NearlyAtLevel = 0.98;
-
-/// The corners, the middles of the edges and the centroid.
-std::array<Vec3, 7> placesOf(const Triangle& t)
-{
-  const auto& [a, b, c] = t.corners;
-  return { a, b, c, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a), (a + b + c) / 3.0 };
-}
 
 /// The triangles that the ball comes near to; all, when it comes near to none.
 SurfaceMesh withoutHidden(const SurfaceMesh& surface, const OuterRegion& region)

@@ -11,6 +11,7 @@
 #include "Remeshing/Remeshing.h"
 #include "Remeshing/SizingField.h"
 #include "Remeshing/StageGuard.h"
+#include "Remeshing/VertexBudget.h"
 #include "ShrinkWrap/FrontContacts.h"
 #include "ShrinkWrap/WrapFinish.h"
 
@@ -74,6 +75,7 @@ SurfaceMesh WrapRemesher::withRightSizes(
 {
   EditableSurface editable(surface);
   setSizesByDistance(editable, sizeForEdges(this->Target->edgeLength), distance);
+  requireFewVertices(editable, this->Target->edgeLength);
   const RemeshingOptions options;
   runGuarded(
     editable,

@@ -33,7 +33,8 @@ public:
   std::optional<SurfaceMesh> remesh(
     const RemeshingInput& input, const Execution& execution) override;
 
-  /// A start surface without self-intersections with elements of the right size.
+  /// A surface without self-intersections with elements of the right size.
+  /// @throws InputError as requireFewVertices(). @throws Cancelled
   SurfaceMesh withRightSizes(const SurfaceMesh& surface, const std::vector<double>& distance,
     const Execution& execution) const;
 

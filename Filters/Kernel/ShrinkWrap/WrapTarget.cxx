@@ -34,6 +34,8 @@ constexpr double WallPerEdge = 0.3;
 constexpr double LargestCrackEdges = 2.0;
 constexpr double CrackStepEdges = 0.5;
 constexpr double ClosedPart = 0.5;
+/// Of the squared diagonal: faces on a line far from the origin have as much by rounding.
+constexpr double LeastArea = 1e-12;
 /// Openings narrower than this many edge lengths are closed: elements cannot line them.
 constexpr double NarrowEdges = 6.0;
 
@@ -47,12 +49,13 @@ void requireUsable(const SurfaceMesh& mesh, const Box& box)
   }
 }
 
+/// Sides, and so walls, follow from the faces' normals.
 void requireArea(const WrapTarget& target)
 {
-  if (!(target.edgeLength > 0.0) || target.surface.faceCount() == 0)
+  if (!(target.area > LeastArea * target.box.diagonal().squaredNorm()))
   {
     throw InputError("The input has no area, expected faces that are not all degenerate; repair "
-                     "it, or set TargetEdgeLength.");
+                     "it, or remove the faces to wrap its points.");
   }
 }
 

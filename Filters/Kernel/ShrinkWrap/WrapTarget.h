@@ -40,8 +40,8 @@ struct WrapTarget
 
 /**
  * @param mesh triangles in any state, or points only; not empty
- * @throws InputError for a target without extent, coordinates that are not finite, or options out
- * of range
+ * @throws InputError for a target without extent or area, coordinates that are not finite, or
+ * options out of range
  * @throws Cancelled
  */
 WrapTarget describeTarget(

@@ -73,8 +73,8 @@ private:
 
 } // namespace
 
-std::vector<BoundaryLoop> holesToFill(const SurfaceMesh& mesh,
-  const std::vector<BoundaryLoop>& loops, double gapSize, double narrow)
+std::vector<BoundaryLoop> holesToFill(
+  const SurfaceMesh& mesh, const std::vector<BoundaryLoop>& loops, double gapSize, double narrow)
 {
   ComponentOpenings components(mesh, loops);
   const double diameter = gapSize > 0.0 ? gapSize : narrow;

@@ -36,7 +36,8 @@ namespace evolving
  * And with gap size 0, openings too narrow for the elements to come, as the mouth of a thin pipe.
  * @param loops boundaryLoops(mesh)
  * @param gapSize not negative
- * @param narrow with gap size 0, loops of a smaller diameter are filled in any case, but no outlines
+ * @param narrow with gap size 0, loops of a smaller diameter are filled in any case, but no
+ * outlines
  */
 std::vector<BoundaryLoop> holesToFill(const SurfaceMesh& mesh,
   const std::vector<BoundaryLoop>& loops, double gapSize, double narrow = 0.0);

@@ -236,3 +236,9 @@ TEST(SurfaceRemesher, RefusesPolygons)
 {
   EXPECT_THROW(SurfaceRemesher(shapes::hexagonalPrism(), Uniform), InputError);
 }
+
+TEST(SurfaceRemesher, RefusesElementsWithoutNumber)
+{
+  EXPECT_THROW(remeshed(icosphere(2), withEdges(Uniform, 1e-6)), InputError);
+  EXPECT_THROW(remeshed(icosphere(2), withEdges(Adaptive, 1e-6)), InputError);
+}

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -54,6 +55,20 @@ TEST(GuardedMove, SmallMovesAreAllMade)
   for (const Index v : verticesOf(surface))
   {
     ASSERT_EQ(surface.point(v), points[static_cast<std::size_t>(v)]);
+  }
+}
+
+TEST(GuardedMove, WhatIsNoNumberStaysWhereItWas)
+{
+  const EditableSurface before(icosphere(2));
+  EditableSurface surface = before;
+  std::vector<Vec3> points = thrown(surface, 0.0, 1);
+  points[7] = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+  points[40].x() = std::numeric_limits<double>::infinity();
+  EXPECT_GE(moveGuarded(surface, points), 2);
+  for (const Index v : verticesOf(surface))
+  {
+    ASSERT_EQ(surface.point(v), before.point(v));
   }
 }
 

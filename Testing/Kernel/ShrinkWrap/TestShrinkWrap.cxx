@@ -200,4 +200,28 @@ TEST(ShrinkWrap, OptionsCompareByValue)
   EXPECT_FALSE(changed == coarse());
 }
 
+TEST(ShrinkWrap, ProgressNeverGoesBack)
+{
+  SurfaceMesh points;
+  points.points = icosphere(3).points;
+  ShrinkWrapOptions fromSphere = coarse();
+  fromSphere.start = WrapStart::Icosphere;
+  for (const auto& options : { coarse(), fromSphere })
+  {
+    std::vector<double> fractions;
+    const Execution execution(
+      nullptr, [&](double fraction) { fractions.push_back(fraction); }, nullptr);
+    const ShrinkWrapProblem problem = prepareShrinkWrap(points, options, execution.phase(0.0, 0.3));
+    SurfaceFlow flow(
+      problem.start, problem.field, problem.remesher, problem.flow, execution.phase(0.3, 1.0));
+    while (!flow.isFinished())
+    {
+      flow.step();
+    }
+    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+    EXPECT_GT(fractions.size(), 100U);
+    EXPECT_LE(fractions.back(), 1.0);
+  }
+}
+
 } // namespace

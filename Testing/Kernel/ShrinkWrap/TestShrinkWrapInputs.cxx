@@ -192,4 +192,50 @@ TEST(ShrinkWrapInputs, WhatCannotBeWrappedIsRefusedInOneSentence)
   }
 }
 
+TEST(ShrinkWrapInputs, FacesWithoutAreaHaveNoSidesWhateverTheEdgeLength)
+{
+  ShrinkWrapOptions options;
+  options.sampleDimensions = { 32, 32, 32 };
+  options.targetEdgeLength = 0.05;
+  const Vec3 far(100.3, -99.7, 101.1);
+  const Vec3 along(0.3, 0.5, 0.7);
+  const SurfaceMesh line = triangleOf(far, far + along, far + 0.3 * along);
+  EXPECT_NE(refusal(line, options).find("no area"), std::string::npos);
+}
+
+TEST(ShrinkWrapInputs, TooManyElementsAreRefusedBeforeAnyIsMade)
+{
+  ShrinkWrapOptions options;
+  options.sampleDimensions = { 32, 32, 32 };
+  options.targetEdgeLength = 0.15;
+  options.offsetDistance = 20.0;
+  const SurfaceMesh sphere = icosphere(3);
+  EXPECT_NE(refusal(sphere, options).find("set TargetEdgeLength"), std::string::npos);
+  options.offsetDistance = 0.0;
+  options.targetEdgeLength = 1e-6;
+  EXPECT_NE(refusal(sphere, options).find("set TargetEdgeLength"), std::string::npos);
+  // As thin as a hair: nine thousand vertices would cover its area, not the surface around it.
+  const SurfaceMesh hair = triangleOf(Vec3::Zero(), Vec3::UnitX(), Vec3(0.5, 1e-9, 0.0));
+  options.targetEdgeLength = 0.0;
+  EXPECT_NE(refusal(hair, options).find("set TargetEdgeLength"), std::string::npos);
+}
+
+TEST(ShrinkWrapInputs, PointsTooFarApartForAGapSizeGetAWallAroundThem)
+{
+  SurfaceMesh points;
+  for (int i = 0; i < 6; ++i)
+  {
+    for (int j = 0; j < 6; ++j)
+    {
+      points.addPoint(Vec3(i, j, std::sin(i + j)));
+    }
+  }
+  ShrinkWrapOptions options = quick(0.4);
+  options.gapSize = 0.01;
+  const SurfaceMesh result = wrap(points, options);
+  expectSound(result, 0);
+  EXPECT_GT(boundingBox(result).sizes().x(), 5.0);
+  EXPECT_GT(boundingBox(result).sizes().y(), 5.0);
+}
+
 } // namespace
