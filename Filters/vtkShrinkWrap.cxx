@@ -234,10 +234,7 @@ void vtkShrinkWrap::Solve(vtkPolyData* input, const evolving::Execution& executi
   evolving::SurfaceMesh result =
     series->Mesh(PublishedIterations(options).size() - 1, execution.phase(0.9, 0.9));
   KernelBridge::RoundPoints(pointType, result.points);
-  this->Solved->Report = evolving::examine(
-    result, [&problem](const evolving::Vec3& p) { return problem.reference->deviation(p); },
-    execution.phase(0.9, 1.0));
-  this->Solved->Report.creases = problem.remesher->creases();
+  this->Solved->Report = evolving::examineWrap(result, problem, execution.phase(0.9, 1.0));
   this->Solved->Shortcomings = evolving::shortcomings(this->Solved->Report, problem.edgeLength);
   this->Solved->Series = std::move(series);
   this->Warn();

@@ -98,7 +98,7 @@ public:
   /**
    * Edge length of the result's triangles, in length units. The default is 0: sqrt(2 A / (9000
    * sqrt(3))) with A the input's area, about 9000 points, and more at an OffsetDistance. With
-   * AdaptToCurvature, the mean one. What would need more than 250000 points is an error.
+   * AdaptToCurvature, the mean one. What would need more than two million points is an error.
    */
   vtkSetClampMacro(TargetEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetEdgeLength, double);

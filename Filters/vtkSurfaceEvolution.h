@@ -366,8 +366,8 @@ public:
   /**
    * Mean edge length that remeshing aims at, in length units; 0, the default, is that of the start.
    * A component keeps at least some hundred points, however small it has become. What would need
-   * more than 250000 points, and more than four times those that are there, is an error. Used with
-   * Remeshing.
+   * more than two million points, and more than four times those that are there, is an error. Used
+   * with Remeshing.
    */
   vtkSetClampMacro(TargetEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetEdgeLength, double);

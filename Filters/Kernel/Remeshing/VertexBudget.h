@@ -14,9 +14,9 @@
 namespace evolving
 {
 
-/// More take minutes: 9000 vertices of a wrap take one to two seconds, and those far from the
+/// More take an hour: 9000 vertices of a wrap take one to two seconds, and those far from the
 /// target ten times as long.
-constexpr double MostVertices = 250000.0;
+constexpr double MostVertices = 2e6;
 
 /**
  * Refuses a surface whose sizes ask for too many vertices, before any is made.

@@ -6,6 +6,7 @@
 #include "ParallelLoops.h"
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/SizingField.h"
+#include "Remeshing/TargetSamples.h"
 #include "Remeshing/VertexBudget.h"
 #include "ShrinkWrap/OuterRegion.h"
 #include "ShrinkWrap/WrapFinish.h"
@@ -37,6 +38,8 @@ constexpr double SphereBalance = 0.2;
 /// met a membrane; and how far one may move at most.
 constexpr double ArrivedEdges = 0.2;
 constexpr double LongestAdvection = 0.5;
+/// What of the target is farther from the result, in edge lengths, is lost.
+constexpr double LostEdges = 2.0;
 /// Membranes get no nearer.
 constexpr int StallSteps = 15;
 
@@ -138,6 +141,20 @@ ShrinkWrapProblem prepareShrinkWrap(
   problem.flow = flowFor(*target, options);
   problem.edgeLength = target->edgeLength;
   return problem;
+}
+
+SurfaceReport examineWrap(
+  const SurfaceMesh& surface, const ShrinkWrapProblem& problem, const Execution& execution)
+{
+  const WrapReference& reference = *problem.reference;
+  SurfaceReport report = examine(
+    surface, [&reference](const Vec3& p) { return reference.deviation(p); },
+    execution.phase(0.0, 0.6));
+  const double far = LostEdges * problem.edgeLength + reference.highestLevel();
+  measureLoss(surface, samplesOf(reference.visible(), problem.edgeLength), far, report,
+    execution.phase(0.6, 1.0));
+  report.creases = problem.remesher->creases();
+  return report;
 }
 
 } // namespace evolving

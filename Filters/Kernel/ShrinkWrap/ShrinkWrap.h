@@ -15,6 +15,7 @@
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
 #include "ShrinkWrap/ShrinkWrapOptions.h"
+#include "ShrinkWrap/SurfaceReport.h"
 #include "ShrinkWrap/WrapReference.h"
 #include "ShrinkWrap/WrapRemesher.h"
 
@@ -42,6 +43,14 @@ struct ShrinkWrapProblem
  */
 ShrinkWrapProblem prepareShrinkWrap(
   const SurfaceMesh& mesh, const ShrinkWrapOptions& options, const Execution& execution = {});
+
+/**
+ * What was reached of a problem.
+ * @param surface its last state, as it is handed out
+ * @throws Cancelled
+ */
+SurfaceReport examineWrap(
+  const SurfaceMesh& surface, const ShrinkWrapProblem& problem, const Execution& execution = {});
 
 } // namespace evolving
 

@@ -3,11 +3,14 @@
 
 #include "ShrinkWrap/SurfaceReport.h"
 
+#include "Distance/AABBTree.h"
 #include "Mesh/MeshQuality.h"
 #include "Mesh/SelfIntersections.h"
 #include "Mesh/TopologySummary.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace evolving
@@ -18,6 +21,8 @@ namespace
 
 /// A result with a smaller angle than this, in degrees, is no good for simulation.
 constexpr double QualityFloor = 20.0;
+/// Slits between parts and the corners of sheets are less of a target.
+constexpr double MostLost = 0.02;
 /// Tips of creases that are less of them all are no loss.
 constexpr double MissingPart = 0.01;
 /// A vertex that stays farther away than this many edge lengths has met a membrane.
@@ -84,6 +89,31 @@ SurfaceReport examine(
   return report;
 }
 
+void measureLoss(const SurfaceMesh& surface, const std::vector<Vec3>& samples, double far,
+  SurfaceReport& report, const Execution& execution)
+{
+  const AABBTree tree(surface, execution.phase(0.0, 0.3));
+  std::vector<double> squared(samples.size(), std::numeric_limits<double>::infinity());
+  const Execution now = execution.phase(0.3, 1.0);
+  now.forRange(static_cast<std::int64_t>(samples.size()), Execution::MeshGrain,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (auto s = static_cast<std::size_t>(begin); s < static_cast<std::size_t>(end); ++s)
+      {
+        const ClosestTriangle closest = tree.closest(samples[s]);
+        squared[s] = closest.triangle == NoIndex ? squared[s] : closest.at.squaredDistance;
+      }
+    });
+  const auto lost = std::count_if(
+    squared.begin(), squared.end(), [far](double distance) { return distance > far * far; });
+  if (lost > 0)
+  {
+    const auto farthest = std::max_element(squared.begin(), squared.end()) - squared.begin();
+    report.lostPart = static_cast<double>(lost) / static_cast<double>(samples.size());
+    report.lostPlace = samples[static_cast<std::size_t>(farthest)];
+  }
+}
+
 std::vector<std::string> shortcomings(const SurfaceReport& report, double edgeLength)
 {
   std::vector<std::string> sentences;
@@ -114,6 +144,14 @@ std::vector<std::string> shortcomings(const SurfaceReport& report, double edgeLe
       2.0 * edgeLength,
       "): a membrane was left over a hole or a deep concavity, or the distance grid is too coarse; "
       "use the Isosurface start, a smaller GapSize or more SampleDimensions.");
+  }
+  if (report.lostPart > MostLost)
+  {
+    say("Of the target, ", std::round(100.0 * report.lostPart),
+      " % is more than two edge lengths (", 2.0 * edgeLength, ") away from the result, some at (",
+      report.lostPlace.transpose(),
+      "): it is thinner than a triangle, or in a gap that was closed; use a smaller "
+      "TargetEdgeLength or GapSize.");
   }
   if (report.creases.missing > std::max(edgeLength, MissingPart * report.creases.length))
   {

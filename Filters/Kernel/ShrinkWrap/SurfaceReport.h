@@ -33,6 +33,8 @@ struct SurfaceReport
   Vec3 intersectionPlace = Vec3::Zero(); ///< in one of the intersecting triangles
   Vec3 minAnglePlace = Vec3::Zero();     ///< the middle of that triangle
   Vec3 maxDistancePlace = Vec3::Zero();  ///< that vertex
+  double lostPart = 0.0;                 ///< of the target's samples, see measureLoss(); 0 to 1
+  Vec3 lostPlace = Vec3::Zero();         ///< the farthest of them
   FeatureCoverage creases;               ///< for who made the surface to say
 };
 
@@ -45,6 +47,16 @@ using Deviation = std::function<double(const Vec3&)>;
  */
 SurfaceReport examine(
   const SurfaceMesh& surface, const Deviation& deviation, const Execution& execution = {});
+
+/**
+ * Says how much of the target the surface has lost: parts thinner than its elements, or in gaps
+ * that were closed.
+ * @param samples of the part of the target that can be reached
+ * @param far samples farther from the surface are lost
+ * @throws Cancelled
+ */
+void measureLoss(const SurfaceMesh& surface, const std::vector<Vec3>& samples, double far,
+  SurfaceReport& report, const Execution& execution = {});
 
 /**
  * One sentence for everything that a surface fit for simulation should have and this one has not:

@@ -16,6 +16,7 @@
 #include "ShrinkWrap/WrapLevels.h"
 #include "ShrinkWrap/WrapTarget.h"
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -45,6 +46,11 @@ public:
   /// Does the result lie on the target everywhere?
   bool isOnTarget() const { return this->Offset == 0.0 && !this->HasSheets; }
 
+  /// How far from the target the result lies at most where it is to lie.
+  double highestLevel() const
+  {
+    return this->HasSheets ? std::max(this->Offset, this->Wall) : this->Offset;
+  }
   /// The part of the target that can be reached from outside.
   const SurfaceMesh& visible() const { return this->Visible; }
 

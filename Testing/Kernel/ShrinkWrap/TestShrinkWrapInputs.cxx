@@ -207,7 +207,7 @@ TEST(ShrinkWrapInputs, TooManyElementsAreRefusedBeforeAnyIsMade)
 {
   ShrinkWrapOptions options;
   options.sampleDimensions = { 32, 32, 32 };
-  options.targetEdgeLength = 0.15;
+  options.targetEdgeLength = 0.05;
   options.offsetDistance = 20.0;
   const SurfaceMesh sphere = icosphere(3);
   EXPECT_NE(refusal(sphere, options).find("set TargetEdgeLength"), std::string::npos);

@@ -113,6 +113,28 @@ TEST(SurfaceReport, BoundsAreTwentyDegreesAndTwoEdges)
   EXPECT_EQ(shortcomings(report, 0.2).size(), 4u);
 }
 
+TEST(SurfaceReport, SaysHowMuchOfTheTargetIsLost)
+{
+  // Of the samples on a line through a sphere those beyond 1 + far; the farthest is named.
+  std::vector<Vec3> samples;
+  for (int i = 0; i < 100; ++i)
+  {
+    samples.emplace_back(0.02 * (i + 0.5), 0.0, 0.0);
+  }
+  SurfaceReport report = examine(icosphere(4), fromSphere(1.0));
+  measureLoss(icosphere(4), samples, 0.9, report);
+  EXPECT_NEAR(report.lostPart, 0.1, 0.011); // 0 ... 0.1 and 1.9 ... 2
+  EXPECT_EQ(report.lostPlace, samples.back());
+  ASSERT_EQ(shortcomings(report, 0.45).size(), 1u);
+  EXPECT_NE(shortcomings(report, 0.45)[0].find("10 %"), std::string::npos);
+  report = examine(icosphere(4), fromSphere(1.0));
+  measureLoss(icosphere(4), samples, 1.1, report);
+  EXPECT_EQ(report.lostPart, 0.0);
+  EXPECT_TRUE(shortcomings(report, 0.45).empty());
+  measureLoss({}, samples, 1.1, report);
+  EXPECT_EQ(report.lostPart, 1.0);
+}
+
 TEST(SurfaceReport, OfAnEmptySurfaceIsAllZero)
 {
   const SurfaceReport report = examine({}, fromSphere(1.0));
