@@ -10,7 +10,7 @@ import numpy as np
 from vtkmodules.numpy_interface import dataset_adapter
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import VTK_QUAD, vtkImageData, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
 
@@ -21,6 +21,19 @@ def icosphere(level=3, radius=1.0):
     source.SetRadius(radius)
     source.Update()
     return source.GetOutput()
+
+
+def box_surface(corners):
+    """The faces of a box with corners in the order of their coordinates."""
+    surface = vtkPolyData()
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(corners, deep=True))
+    surface.SetPoints(points)
+    surface.AllocateEstimate(6, 4)
+    for face in ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4),
+                 (1, 5, 7, 3)):
+        surface.InsertNextCell(VTK_QUAD, 4, face)
+    return surface
 
 
 def radii(surface):
@@ -191,6 +204,24 @@ class Pipelines(unittest.TestCase):
         self.assertEqual(field_value(surface, "IsClosed"), 1)
         self.assertEqual(field_value(surface, "Genus"), 0)
         self.assertLess(np.abs(radii(surface) - 1.0).max(), 0.03)
+
+    def test_creases_and_corners_can_be_preserved(self):
+        box = np.array([[x, y, z] for x in (0, 1) for y in (0, 2) for z in (0, 3)], dtype=float)
+        wrap = es.vtkShrinkWrap()
+        wrap.SetInputData(box_surface(box))
+        wrap.SetSampleDimensions(40, 40, 40)
+        wrap.SetTargetEdgeLength(0.25)
+        wrap.SetNumberOfSteps(30)
+        wrap.PreserveFeaturesOn()
+        wrap.SetFeatureAngle(60.0)
+        wrap.Update()
+        points = vtk_to_numpy(wrap.GetOutput().GetPoints().GetData())
+        to_corners = np.linalg.norm(points[:, None] - box[None], axis=2)
+        self.assertLess(to_corners.min(axis=0).max(), 1e-6)
+        # Every vertex lies on a side, and on edges there are some with two coordinates of sides.
+        sides = np.isclose(points, 0.0, atol=1e-6) | np.isclose(points, [1, 2, 3], atol=1e-6)
+        self.assertTrue(sides.any(axis=1).all())
+        self.assertGreater((sides.sum(axis=1) == 2).sum(), 24 / 0.25 * 0.7)
 
     def test_boxes_can_be_looked_at(self):
         boxes = es.vtkDistanceHierarchy()

@@ -11,6 +11,7 @@
 #include "ParallelLoops.h"
 #include "Remeshing/FaceShape.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace evolving
@@ -168,12 +169,14 @@ private:
     }
   }
 
+  /// Where labels meet without a corner of the creases, vertices stay free.
   void pinCorners()
   {
     for (Index v = 0; v < this->Surface.vertexSlots(); ++v)
     {
-      if (this->Surface.hasVertex(v) && this->Vertices.corner(v) != NoIndex &&
-        this->Surface.featureEdges(v) > 0)
+      const Index corner = this->Vertices.corner(v);
+      if (this->Surface.hasVertex(v) && corner != NoIndex &&
+        this->Features.curves().isCorner(corner) && this->Surface.featureEdges(v) > 0)
       {
         this->Surface.setPinned(v);
       }
@@ -190,9 +193,13 @@ private:
 void captureFeatures(
   EditableSurface& surface, const TargetFeatures& features, const Execution& execution)
 {
+  execution.report(0.0);
   VertexLabels labels(surface, features, execution);
+  execution.report(0.25);
   splitLabelChanges(surface, features, labels);
+  execution.report(0.5);
   labelFaces(surface, features, labels);
+  execution.report(0.75);
   Capture(surface, features, labels).run();
 }
 
@@ -210,6 +217,8 @@ Index releaseFeatures(EditableSurface& surface, double degrees)
       vertices.push_back(surface.from(e));
     }
   }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   for (const Index v : vertices)
   {
     surface.releasePin(v);

@@ -120,7 +120,8 @@ bool VertexLabels::mayMove(const EditableSurface& surface, Index v) const
   return surface.hasVertex(v) && !surface.isPinned(v) && this->corner(v) == NoIndex;
 }
 
-/// Each corner gets the vertex closest to it of those that have none closer.
+/// Each corner gets the vertex closest to it of those that have none closer; a held one that lies
+/// there already, or else a second one would come to lie on it.
 void VertexLabels::takeCorners(EditableSurface& surface, const TargetFeatures& features)
 {
   const std::vector<Index> corners = cornersOf(features);
@@ -135,9 +136,9 @@ void VertexLabels::takeCorners(EditableSurface& surface, const TargetFeatures& f
   std::vector<std::pair<double, Index>> nearest(corners.size(), none);
   for (Index v = 0; v < surface.vertexSlots(); ++v)
   {
-    if (this->mayMove(surface, v))
+    if (surface.hasVertex(v))
     {
-      const double reach = CornerSizes * surface.size(v);
+      const double reach = surface.isPinned(v) ? 0.0 : CornerSizes * surface.size(v);
       const ClosestTriangle closest = tree.closest(surface.point(v), reach * reach);
       if (closest.triangle != NoIndex)
       {

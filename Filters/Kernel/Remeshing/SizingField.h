@@ -22,7 +22,8 @@ void setUniformSizes(EditableSurface& surface, double size);
  * Sizes for which triangles stay within an error of the surface that they approximate: edges of
  * length s on a sphere of curvature k deviate from it by about k s^2 / 6, exactly s = sqrt(6 e / k
  * - 3 e^2) (Dunyach, Vanderhaeghe, Barthe, Botsch, *Adaptive Remeshing for Real-Time Mesh
- * Deformation*, 2013). The curvature of a vertex is the largest of its edges', averaged.
+ * Deformation*, 2013). The curvature of a vertex is the largest of its edges', averaged; folds at
+ * creases, EditableSurface::curve(), are none.
  */
 struct CurvatureSizing
 {

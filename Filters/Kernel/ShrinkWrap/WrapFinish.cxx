@@ -95,7 +95,7 @@ public:
   {
     this->stage(0.0, 0.05, &Finish::land);
     this->stage(0.05, 0.2, &Finish::remesh);
-    if (this->Features && this->IsOnTarget)
+    if (this->canCapture())
     {
       this->OnFeatures.emplace(
         this->Reference, *this->Features, ReachSizes * this->Size, this->Run.phase(0.2, 0.2));
@@ -140,6 +140,12 @@ private:
     const Execution now = this->Run.phase(from, from); // parts run again and again
     guard(
       this->Surface, [&](EditableSurface& surface) { (this->*work)(surface, now); }, now);
+  }
+
+  /// Without creases nothing may change.
+  bool canCapture() const
+  {
+    return this->Features && this->IsOnTarget && !this->Features->curves().curves().empty();
   }
 
   /// What the result lies on.

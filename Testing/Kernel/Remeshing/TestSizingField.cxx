@@ -32,6 +32,23 @@ double steepest(const EditableSurface& surface)
   return steepest;
 }
 
+/// A tube of radius 1 with its two ends closed by flat discs.
+SurfaceMesh closedTube()
+{
+  constexpr Index Around = 40;
+  constexpr Index Along = 12;
+  SurfaceMesh mesh = shapes::tube(Around, Along, 0.8, [](double) { return 1.0; });
+  const Index bottom = mesh.addPoint(Vec3(0, 0, -0.8));
+  const Index top = mesh.addPoint(Vec3(0, 0, 0.8));
+  for (Index i = 0; i < Around; ++i)
+  {
+    const Index j = (i + 1) % Around;
+    mesh.addFace({ j, i, bottom });
+    mesh.addFace({ Around * Along + i, Around * Along + j, top });
+  }
+  return mesh;
+}
+
 TEST(SizingField, OnASphereIsThatOfItsCurvature)
 {
   for (const double radius : { 0.5, 1.0, 7.0 })
@@ -96,6 +113,31 @@ TEST(SizingField, FlatPartsGetTheLargestSize)
   for (const Index v : verticesOf(sheet))
   {
     EXPECT_EQ(sheet.size(v), 0.7);
+  }
+}
+
+TEST(SizingField, CreasesOfABoxAreNoCurvature)
+{
+  EditableSurface box(shapes::triangleBox(6, Vec3(1.0, 0.7, 0.5)));
+  shapes::markCreases(box);
+  setSizesForError(box, { 0.01, 0.7 }, 1e-3);
+  for (const Index v : verticesOf(box))
+  {
+    EXPECT_EQ(box.size(v), 0.7);
+  }
+}
+
+TEST(SizingField, AtTheRimOfATubeIsThatOfTheTube)
+{
+  // The disc at its end is flat, the tube has curvature 1; the rim is a vertex of both.
+  EditableSurface surface(closedTube());
+  shapes::markCreases(surface);
+  constexpr double Error = 1e-3;
+  setSizesForError(surface, { 0.001, 10.0, 1e9 }, Error);
+  const double expected = std::sqrt(6.0 * Error - 3.0 * Error * Error);
+  for (const Index v : verticesOf(surface))
+  {
+    EXPECT_GT(surface.size(v), 0.97 * expected) << surface.point(v).transpose();
   }
 }
 
