@@ -21,7 +21,7 @@ namespace
 {
 
 /// In sizes: how far a vertex moves to where the labels around it meet.
-constexpr double ReachSizes = 1.0;
+constexpr double ReachSizes = 1.5;
 /// In sizes: both ends of an edge on a crease are as near to it.
 constexpr double OnCrease = 1e-6;
 

@@ -16,7 +16,7 @@ namespace
 
 /// In sizes: how far a new vertex moves onto its border, and what no split makes edges shorter
 /// than.
-constexpr double ReachSizes = 0.5;
+constexpr double ReachSizes = 1.5;
 constexpr double ShortestSizes = 0.02;
 /// In sizes: an edge whose ends share a label crosses another that is so far from it.
 constexpr double CrossingSizes = 0.1;

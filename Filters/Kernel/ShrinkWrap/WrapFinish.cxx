@@ -29,6 +29,8 @@ namespace
 {
 
 constexpr int UniformPasses = 10;
+/// More wear off the acute creases that are to be captured.
+constexpr int PassesBeforeCapture = 4;
 constexpr int CapturePasses = 10;
 constexpr int AdaptivePasses = 8;
 constexpr int PolishPasses = 3;
@@ -169,7 +171,8 @@ private:
 
   void remesh(EditableSurface& surface, const Execution& now) const
   {
-    for (int pass = 0; pass < UniformPasses; ++pass)
+    const int passes = this->canCapture() ? PassesBeforeCapture : UniformPasses;
+    for (int pass = 0; pass < passes; ++pass)
     {
       remeshOnce(surface, this->reference(), {}, now);
     }

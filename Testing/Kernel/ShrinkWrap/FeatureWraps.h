@@ -25,9 +25,7 @@ struct Wrapped
   {
     const ShrinkWrapProblem problem = prepareShrinkWrap(target, options);
     this->surface = run(problem);
-    this->report =
-      examine(this->surface, [&](const Vec3& p) { return problem.reference->deviation(p); });
-    this->report.creases = problem.remesher->creases();
+    this->report = examineWrap(this->surface, problem);
     this->sentences = shortcomings(this->report, problem.edgeLength);
   }
   SurfaceMesh surface;

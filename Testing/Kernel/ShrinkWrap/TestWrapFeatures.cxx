@@ -116,6 +116,19 @@ TEST(WrapFeatures, AnEllIsExact)
   EXPECT_TRUE(wrapped.sentences.empty());
 }
 
+TEST(WrapFeatures, AcuteCreasesAreNotWornOff)
+{
+  // Between planes at 34 and at 45 degrees.
+  const SurfaceMesh prism = test::extruded({ Vec3(0, 0, 0), Vec3(1.5, 0, 0), Vec3(0, 1, 0) }, 1.2);
+  const Wrapped ofPrism(prism, withFeatures(0.12));
+  expectSound(ofPrism.surface, 0, 1, 30.0);
+  EXPECT_LT(ofPrism.report.creases.missing, 0.01 * ofPrism.report.creases.length);
+  EXPECT_LT(hausdorff(ofPrism.surface, prism, 0.05), 0.05);
+  const Wrapped ofCone(capture::cone(), withFeatures(0.15));
+  expectSound(ofCone.surface, 0, 1, 30.0);
+  EXPECT_EQ(ofCone.report.creases.missing, 0.0);
+}
+
 TEST(WrapFeatures, ACylinderHasItsRims)
 {
   const SurfaceMesh cylinder = capture::cylinder();
