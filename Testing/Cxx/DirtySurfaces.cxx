@@ -202,7 +202,7 @@ const std::vector<DirtySurface>& DirtySurfaces()
       []() {
         return Sample::Make({ { 0, 0, 0 }, { 1, 1, 1 }, { 2, 2, 2 } }, { { 0, 1, 2 } });
       },
-      R, X, R, R, X },
+      R, X, R, X, R },
     { "NaN", []() { return WithPoint(vtkMath::Nan()); }, X, X, X, X, X },
     { "Infinity", []() { return WithPoint(vtkMath::Inf()); }, X, X, X, X, X },
     { "IdTooLarge",
