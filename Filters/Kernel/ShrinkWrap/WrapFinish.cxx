@@ -6,20 +6,12 @@
 #include "FeatureCapture/FeatureCapture.h"
 #include "FeatureCapture/FeatureReference.h"
 #include "Features/TargetFeatures.h"
-#include "Remeshing/EdgeFlipping.h"
 #include "Remeshing/EditableSurface.h"
-#include "Remeshing/ElementRepair.h"
-#include "Remeshing/PeakFit.h"
 #include "Remeshing/Relaxation.h"
-#include "Remeshing/Remeshing.h"
 #include "Remeshing/SizingField.h"
 #include "Remeshing/StageGuard.h"
-#include "Remeshing/StarOptimization.h"
-#include "Remeshing/SurfaceFit.h"
-#include "Remeshing/TargetSamples.h"
+#include "ShrinkWrap/FinishSteps.h"
 
-#include <cmath>
-#include <limits>
 #include <optional>
 
 namespace evolving
@@ -32,17 +24,8 @@ constexpr int UniformPasses = 10;
 /// More wear off the acute creases that are to be captured.
 constexpr int PassesBeforeCapture = 4;
 constexpr int CapturePasses = 10;
-constexpr int AdaptivePasses = 8;
-constexpr int PolishPasses = 3;
-/// Smallest angles up to this are worth a search, in degrees; and how many rounds of it.
-constexpr double WantedAngle = 46.0;
-constexpr int StarRounds = 5;
-constexpr int PeakRounds = 2;
 constexpr int SettleRounds = 2;
-/// Triangles with smaller angles may be replaced by others.
-constexpr double SoundAngle = 42.0;
-/// For a peak's sake angles may fall to this, to recover afterwards.
-constexpr double BearableAngle = 38.0;
+/// Peaks may cost elements their angles down to this, in degrees.
 constexpr double LeastUniformAngle = 44.5;
 constexpr double LeastAdaptedAngle = 42.5;
 /// Creases that leave elements smaller angles than this are let go; remeshing may need some rounds.
@@ -56,20 +39,8 @@ constexpr double CoverageTolerance = 0.1;
 /// elements.
 constexpr double UniformInertia = 1.5;
 constexpr double AdaptedInertia = 0.5;
-/// Farther from their patch faces have no place there.
+/// Farther from their patch, in sizes, faces have no place there.
 constexpr double ReachSizes = 2.0;
-/// Adaptive sizes, in those of uniform ones.
-constexpr double SmallestSize = 0.4;
-constexpr double LargestSize = 1.5;
-/// Remeshing ends with this fraction of the vertices that the sizes ask for.
-constexpr double VerticesPerExpected = 0.95;
-/// In sizes.
-constexpr double FarthestPeak = 1.5;
-constexpr double DeepestValley = 0.35;
-/// Samples nearer than this part of the tolerance will be no peaks either.
-constexpr double NearlyPeak = 0.5;
-/// Of the target, to find what the triangles cut off; in sizes.
-constexpr double SampleSpacing = 0.4;
 
 class Finish
 {
@@ -113,7 +84,7 @@ public:
     {
       this->stage(0.75, 0.75, &Finish::release);
     }
-    this->stage(0.75, 0.85, &Finish::fit, runMoves);
+    this->stage(0.75, 0.85, &Finish::fitUpright, runMoves);
     this->stage(0.85, 0.9, &Finish::repair);
     if (this->IsOnTarget)
     {
@@ -171,20 +142,14 @@ private:
 
   void remesh(EditableSurface& surface, const Execution& now) const
   {
-    const int passes = this->canCapture() ? PassesBeforeCapture : UniformPasses;
-    for (int pass = 0; pass < passes; ++pass)
-    {
-      remeshOnce(surface, this->reference(), {}, now);
-    }
+    remeshOften(
+      surface, this->reference(), this->canCapture() ? PassesBeforeCapture : UniformPasses, now);
   }
 
   void capture(EditableSurface& surface, const Execution& now) const
   {
     captureFeatures(surface, *this->Features, now);
-    for (int pass = 0; pass < CapturePasses; ++pass)
-    {
-      remeshOnce(surface, this->reference(), {}, now);
-    }
+    remeshOften(surface, this->reference(), CapturePasses, now);
   }
 
   void release(EditableSurface& surface, const Execution& now) const
@@ -195,59 +160,42 @@ private:
       {
         return;
       }
-      for (int pass = 0; pass < ReleasePasses; ++pass)
-      {
-        remeshOnce(surface, this->reference(), {}, now);
-      }
+      remeshOften(surface, this->reference(), ReleasePasses, now);
       this->polish(surface, now);
       this->fitAlong(surface, now);
     }
   }
 
-  /// As many vertices as of one size.
   void adapt(EditableSurface& surface, const Execution& now) const
   {
-    setUniformSizes(surface, this->Size);
-    const double vertices = expectedVertices(surface) / VerticesPerExpected;
-    const CurvatureSizing sizing{ SmallestSize * this->Size, LargestSize * this->Size };
-    for (int pass = 0; pass < AdaptivePasses; ++pass)
-    {
-      setSizesForVertexCount(surface, sizing, vertices);
-      remeshOnce(surface, this->reference(), {}, now);
-    }
+    remeshByCurvature(surface, this->reference(), this->Size, now);
   }
 
   void polish(EditableSurface& surface, const Execution& now) const
   {
-    for (int pass = 0; pass < PolishPasses; ++pass)
-    {
-      polishOnce(surface, this->reference(), {}, now);
-    }
+    evolving::polish(surface, this->reference(), now);
   }
 
-  /// Vertices find the ridges, and elements recover.
   void fitAlong(EditableSurface& surface, const Execution& now) const
   {
     const double inertia = this->Options.adaptToCurvature ? AdaptedInertia : UniformInertia;
-    fitToReference(surface, this->reference(), { 3, 1.0, inertia }, now);
-    flipForAngles(surface);
-    this->improve(surface, now);
-    flipForAngles(surface);
-    this->improve(surface, now);
+    evolving::fitAlong(surface, this->reference(), inertia, now);
   }
 
-  void fit(EditableSurface& surface, const Execution& now) const
+  void fitUpright(EditableSurface& surface, const Execution& now) const
   {
-    constexpr double NormalOnly = std::numeric_limits<double>::infinity();
-    fitToReference(surface, this->reference(), { 2, 1.0, NormalOnly }, now);
-    this->improve(surface, now);
-    fitToReference(surface, this->reference(), { 1, 0.5, NormalOnly }, now);
-    this->improve(surface, now);
+    evolving::fitUpright(surface, this->reference(), now);
   }
 
-  void improve(EditableSurface& surface, const Execution& now) const
+  void repair(EditableSurface& surface, const Execution& now) const
   {
-    optimizeStars(surface, this->reference(), WantedAngle, StarRounds, now);
+    evolving::repair(surface, this->reference(), now);
+  }
+
+  void reachPeaks(EditableSurface& surface, const Execution& now) const
+  {
+    evolving::reachPeaks(surface, this->reference(), this->Reference.visible(), this->Size,
+      this->Options.adaptToCurvature ? LeastAdaptedAngle : LeastUniformAngle, now);
   }
 
   /// At rims of walls, rounder than elements can be, the fit lifts vertices off: back they go.
@@ -258,31 +206,8 @@ private:
       landWhere(
         surface, this->reference(), [this](const Vec3& p) { return this->Reference.isAtSheet(p); },
         now);
-      this->improve(surface, now);
+      improve(surface, this->reference(), now);
     }
-  }
-
-  void repair(EditableSurface& surface, const Execution& now) const
-  {
-    repairElements(surface, this->reference(), SoundAngle, now);
-  }
-
-  void reachPeaks(EditableSurface& surface, const Execution& now) const
-  {
-    PeakFitOptions options;
-    options.farthest = FarthestPeak * this->Size;
-    options.deepest = DeepestValley * this->Size;
-    PeakFit fit(surface, this->reference(),
-      samplesOf(this->Reference.visible(), SampleSpacing * this->Size),
-      NearlyPeak * options.tolerance, now);
-    options.leastAngle = BearableAngle;
-    for (int round = 0; round < PeakRounds; ++round)
-    {
-      fit.run(options);
-      this->improve(surface, now);
-    }
-    options.leastAngle = this->Options.adaptToCurvature ? LeastAdaptedAngle : LeastUniformAngle;
-    fit.run(options);
   }
 
   EditableSurface Surface;
