@@ -16,48 +16,26 @@ namespace evolving
 namespace
 {
 
-/// A node still to be looked at. Depth first, there is at most one per level and one more.
-struct Pending
-{
-  Index node;
-  double squaredDistance;
-};
-
-/// A stack of fixed size: queries allocate nothing.
-template <typename Entry>
+/// A stack of fixed size: queries allocate nothing. Depth first, there is at most one node per
+/// level and one more.
 class TraversalStack
 {
 public:
   bool isEmpty() const { return this->Size == 0; }
-  void push(const Entry& entry) { this->Entries[this->Size++] = entry; }
-  Entry pop() { return this->Entries[--this->Size]; }
+  void push(Index node) { this->Nodes[this->Size++] = node; }
+  Index pop() { return this->Nodes[--this->Size]; }
 
 private:
-  std::array<Entry, AABBTree::MaximumDepth + 2> Entries;
+  std::array<Index, AABBTree::MaximumDepth + 2> Nodes;
   std::size_t Size = 0;
 };
-
-/// The squared distance from a point to a box, 0 inside.
-template <typename Scalar>
-inline double squaredGap(const Eigen::AlignedBox<Scalar, 3>& box, const Vec3& point)
-{
-  double sum = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double below = static_cast<double>(box.min()[axis]) - point[axis];
-    const double above = point[axis] - static_cast<double>(box.max()[axis]);
-    const double gap = std::max(std::max(below, above), 0.0);
-    sum += gap * gap;
-  }
-  return sum;
-}
 
 /// Calls visit(leaf) for the leaves whose boxes, and whose parents' boxes, pass; until it
 /// returns true.
 template <typename Passes, typename Visit>
 void visitLeaves(const std::vector<AABBTree::Node>& nodes, Passes passes, Visit visit)
 {
-  TraversalStack<Index> stack;
+  TraversalStack stack;
   if (!nodes.empty())
   {
     stack.push(0);
@@ -81,8 +59,14 @@ void visitLeaves(const std::vector<AABBTree::Node>& nodes, Passes passes, Visit 
   }
 }
 
+/// A triangle and its squared distance.
+struct Candidate
+{
+  Index triangle;
+  double squaredDistance;
+};
+
 /// Nearer, or as near and of a smaller number; NoIndex, as an unsigned number, is the largest.
-template <typename Candidate>
 bool isCloser(const Candidate& a, const Candidate& b)
 {
   return a.squaredDistance < b.squaredDistance ||
@@ -123,56 +107,27 @@ Box AABBTree::bounds() const
   return box;
 }
 
-void AABBTree::visitLeaf(const Node& leaf, const Vec3& point, Candidate& best) const
-{
-  const Index* triangles = this->LeafTriangles.data() + leaf.firstTriangle;
-  const Eigen::AlignedBox3f* boxes = this->LeafBoxes.data() + leaf.firstTriangle;
-  for (Index k = 0; k < leaf.triangleCount; ++k)
-  {
-    if (triangles[k] != best.triangle && squaredGap(boxes[k], point) <= best.squaredDistance)
-    {
-      const Candidate candidate{ triangles[k], this->squaredDistance(triangles[k], point) };
-      best = isCloser(candidate, best) ? candidate : best;
-    }
-  }
-}
-
 ClosestTriangle AABBTree::closest(const Vec3& point, double squaredBound, Index guess) const
 {
   Candidate best{ NoIndex, squaredBound };
-  if (this->isEmpty())
+  const auto consider = [&](Index triangle)
   {
-    return {};
-  }
+    const Candidate candidate{ triangle, this->squaredDistance(triangle, point) };
+    best = isCloser(candidate, best) ? candidate : best;
+  };
   if (guess >= 0 && guess < this->triangleCount())
   {
-    const Candidate candidate{ guess, this->squaredDistance(guess, point) };
-    best = isCloser(candidate, best) ? candidate : best;
+    consider(guess);
   }
-  TraversalStack<Pending> stack;
-  stack.push({ 0, squaredGap(this->Nodes.front().box, point) });
-  while (!stack.isEmpty())
-  {
-    const Pending pending = stack.pop();
-    if (pending.squaredDistance > best.squaredDistance)
+  this->Near.visitNear(point, best.squaredDistance,
+    [&](Index triangle)
     {
-      continue;
-    }
-    const Node& node = this->Nodes[static_cast<std::size_t>(pending.node)];
-    if (node.isLeaf())
-    {
-      this->visitLeaf(node, point, best);
-      continue;
-    }
-    const auto child = [&](Index number) -> Pending {
-      return { number, squaredGap(this->Nodes[static_cast<std::size_t>(number)].box, point) };
-    };
-    const Pending left = child(node.left);
-    const Pending right = child(node.right);
-    const bool leftFirst = left.squaredDistance <= right.squaredDistance;
-    stack.push(leftFirst ? right : left);
-    stack.push(leftFirst ? left : right);
-  }
+      if (triangle != best.triangle)
+      {
+        consider(triangle);
+      }
+      return best.squaredDistance;
+    });
   if (best.triangle == NoIndex)
   {
     return {};

@@ -10,9 +10,11 @@
 #ifndef EVOLVING_AABB_TREE_H
 #define EVOLVING_AABB_TREE_H
 
+#include "Distance/BoxNode.h"
 #include "Distance/MeasuredTriangle.h"
 #include "Distance/Ray.h"
 #include "Distance/TriangleGeometry.h"
+#include "Distance/WideBoxTree.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
 #include "Types.h"
@@ -46,20 +48,11 @@ class AABBTree
 {
 public:
   /// The conditions under which a box is split.
-  static constexpr int MaximumDepth = 20;
+  static constexpr int MaximumDepth = BoxNode::MostLevels - 1;
   static constexpr int LargestLeaf = 2;
   static constexpr double LargestGrowth = 1.5; ///< of N_L + N_R over N
 
-  struct Node
-  {
-    Box box;
-    Index left = NoIndex; ///< NoIndex for leaves
-    Index right = NoIndex;
-    Index firstTriangle = 0; ///< of a leaf, in leafTriangles()
-    Index triangleCount = 0;
-
-    bool isLeaf() const { return this->left == NoIndex; }
-  };
+  using Node = BoxNode;
 
   /**
    * @param mesh of triangles only; copied in
@@ -105,14 +98,6 @@ public:
 private:
   friend class AABBTreeBuilder;
 
-  /// A triangle and its squared distance.
-  struct Candidate
-  {
-    Index triangle;
-    double squaredDistance;
-  };
-
-  void visitLeaf(const Node& leaf, const Vec3& point, Candidate& best) const;
   double squaredDistance(Index triangle, const Vec3& point) const
   {
     return this->Measured[static_cast<std::size_t>(triangle)].squaredDistance(point);
@@ -123,7 +108,7 @@ private:
   std::vector<Node> Nodes;
   std::vector<std::int8_t> Levels;
   std::vector<Index> LeafTriangles;
-  std::vector<Eigen::AlignedBox3f> LeafBoxes; ///< around the part of each in its leaf
+  WideBoxTree Near; ///< the same for closest()
 };
 
 } // namespace evolving

@@ -12,27 +12,11 @@ namespace evolving
 namespace
 {
 
-using FloatVec3 = Eigen::Vector3f;
-
-/// The smallest box of floats around a box of doubles.
-Eigen::AlignedBox3f roundedOutwards(const Box& box)
-{
-  Eigen::AlignedBox3f rounded(box.min().cast<float>(), box.max().cast<float>());
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    float& low = rounded.min()[axis];
-    float& high = rounded.max()[axis];
-    low = static_cast<double>(low) > box.min()[axis] ? std::nextafter(low, -HUGE_VALF) : low;
-    high = static_cast<double>(high) < box.max()[axis] ? std::nextafter(high, HUGE_VALF) : high;
-  }
-  return rounded;
-}
-
 /// Intersects a box with one inflated by a margin, unless nothing would remain.
-void shrink(Eigen::AlignedBox3f& box, const Box& other, double margin)
+void shrink(FloatBox& box, const Box& other, double margin)
 {
   const Vec3 size = Vec3::Constant(margin);
-  const Eigen::AlignedBox3f common =
+  const FloatBox common =
     box.intersection(roundedOutwards(Box(Vec3(other.min() - size), Vec3(other.max() + size))));
   box = common.isEmpty() ? box : common;
 }
@@ -46,6 +30,7 @@ void AABBTreeBuilder::build(AABBTree& tree, const Execution& execution)
   if (!references.empty())
   {
     builder.addNode(references, 0);
+    tree.Near = WideBoxTree(tree.Nodes, tree.LeafTriangles, builder.LeafBoxes);
   }
   execution.report(1.0);
 }
@@ -187,7 +172,7 @@ void AABBTreeBuilder::fillLeaf(Index node, const References& references)
     if (overlaps(this->Tree.triangle(reference.triangle), leaf.box))
     {
       this->Tree.LeafTriangles.push_back(reference.triangle);
-      this->Tree.LeafBoxes.push_back(roundedOutwards(this->inflated(reference.box)));
+      this->LeafBoxes.push_back(roundedOutwards(this->inflated(reference.box)));
     }
   }
   leaf.triangleCount = static_cast<Index>(this->Tree.LeafTriangles.size()) - leaf.firstTriangle;

@@ -10,6 +10,7 @@
 #define EVOLVING_AABB_TREE_BUILDER_H
 
 #include "Distance/AABBTree.h"
+#include "Distance/FloatBox.h"
 #include "Distance/SurfaceAreaSplit.h"
 #include "Execution.h"
 
@@ -25,8 +26,6 @@ public:
   static void build(AABBTree& tree, const Execution& execution);
 
 private:
-  using FloatBox = Eigen::AlignedBox3f;
-
   /// A triangle and the box of its part in a node, rounded outwards.
   struct Reference
   {
@@ -52,6 +51,7 @@ private:
   const Execution& Host;
   double Epsilon = 0.0; ///< by which boxes are inflated
   std::vector<SplitInterval> Intervals;
+  std::vector<FloatBox> LeafBoxes; ///< around the part of each of the tree's leaf triangles
   std::size_t Finished = 0;
   std::size_t SinceReport = 0;
 };
