@@ -7,10 +7,12 @@
 #include "ParallelLoops.h"
 #include "Remeshing/Barycentric.h"
 #include "Remeshing/FaceShape.h"
+#include "Remeshing/OrderedTasks.h"
 #include "Remeshing/SurfaceFit.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -26,6 +28,8 @@ constexpr std::array<double, 4> Fractions = { 1.0, 0.7, 0.45, 0.25 };
 constexpr double LeastGain = 0.97;
 /// Where so many samples have been tried in vain the others wait for the next run.
 constexpr int MostTries = 2;
+/// Peaks that are worth a thread.
+constexpr std::int64_t PeakGrain = 4;
 constexpr double Unbounded = std::numeric_limits<double>::infinity();
 /// No face may turn by more than 45 degrees.
 constexpr double LeastCosine = 0.7;
@@ -74,6 +78,23 @@ bool areUpright(
   return true;
 }
 
+/// Different when a corner is elsewhere, all but certainly.
+std::size_t fingerprintOf(const EditableSurface& surface, const std::vector<Index>& faces)
+{
+  std::size_t print = 0;
+  for (const Index f : faces)
+  {
+    for (Index k = 0; k < 3; ++k)
+    {
+      for (const double coordinate : surface.corner(f, k))
+      {
+        print = 31 * print + std::hash<double>()(coordinate);
+      }
+    }
+  }
+  return print;
+}
+
 /// In degrees.
 double smallestAngleOf(const EditableSurface& surface, const std::vector<Index>& faces)
 {
@@ -92,7 +113,9 @@ PeakFit::PeakFit(EditableSurface& surface, const ReferenceSurface& reference,
   const std::vector<Vec3>& samples, double nearest, const Execution& execution)
   : Surface(surface)
   , Reference(reference)
+  , Run(execution)
   , Distances(surface, samples, nearest, execution)
+  , InVain(this->Distances.count(), 0)
 {
 }
 
@@ -124,28 +147,41 @@ Index PeakFit::runOnce(const PeakFitOptions& options)
     }
   }
   std::sort(peaks.begin(), peaks.end());
-  Index moved = 0;
   std::vector<char> isDone(at(this->Surface.faceSlots()), 0);
   std::vector<int> tries(at(this->Surface.faceSlots()), 0);
-  for (const auto& [distance, s] : peaks)
+  std::vector<char> hasMoved(peaks.size(), 0);
+  const auto tryPeak = [&](std::size_t i)
   {
-    if (tries[at(this->Distances.face(s))]++ >= MostTries)
+    const std::size_t s = peaks[i].second;
+    const Index face = this->Distances.face(s);
+    if (tries[at(face)]++ >= MostTries)
     {
-      continue;
+      return;
     }
-    const std::vector<Index> faces = this->Distances.facesAround(this->Distances.face(s));
+    const std::vector<Index> faces = this->Distances.facesAround(face);
     const bool isFresh =
       std::none_of(faces.begin(), faces.end(), [&](Index f) { return isDone[at(f)] != 0; });
-    if (isFresh && this->approach(s, faces, options.leastAngle))
+    const std::size_t print = fingerprintOf(this->Surface, faces);
+    if (!isFresh || this->InVain[s] == print)
     {
-      ++moved;
+      return;
+    }
+    this->InVain[s] = print;
+    if (this->approach(s, faces, options.leastAngle))
+    {
+      hasMoved[i] = 1;
       for (const Index f : faces)
       {
         isDone[at(f)] = 1;
       }
     }
-  }
-  return moved;
+  };
+  runInOrder(
+    peaks.size(),
+    [&](std::size_t i)
+    { return this->Distances.facesAround(this->Distances.face(peaks[i].second)); },
+    this->Surface.faceSlots(), PeakGrain, tryPeak, this->Run);
+  return static_cast<Index>(std::count(hasMoved.begin(), hasMoved.end(), 1));
 }
 
 bool PeakFit::isPeak(std::size_t s, const PeakFitOptions& options) const

@@ -60,7 +60,10 @@ private:
 
   EditableSurface& Surface;
   const ReferenceSurface& Reference;
+  Execution Run;
   SampleDistances Distances;
+  /// Of each sample: of the faces around it when it was last tried, which would be in vain again.
+  std::vector<std::size_t> InVain;
 };
 
 /// The same for one run.

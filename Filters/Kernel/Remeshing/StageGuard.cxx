@@ -6,6 +6,7 @@
 #include "Distance/AABBTree.h"
 #include "Mesh/SelfIntersections.h"
 #include "ParallelLoops.h"
+#include "Remeshing/Untangling.h"
 
 #include <utility>
 
@@ -68,13 +69,14 @@ Index runGuarded(EditableSurface& surface, const RemeshingStage& stage, const Ex
   for (int run = 1; run <= MostRuns; ++run)
   {
     stage(surface);
+    surface.compact();
     const SurfaceMesh mesh = surface.mesh();
     const FacePairs pairs = selfIntersections(mesh, execution.phase(0.0, 0.0));
     if (run == 1)
     {
       made = static_cast<Index>(pairs.size());
     }
-    if (pairs.empty())
+    if (pairs.empty() || untangle(surface, pairs, execution))
     {
       surface.releaseLocks();
       return made;

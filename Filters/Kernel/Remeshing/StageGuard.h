@@ -23,9 +23,10 @@ namespace evolving
 using RemeshingStage = std::function<void(EditableSurface& surface)>;
 
 /**
- * Runs a stage on a surface without self-intersections. Where the stage makes some, the surface
- * goes back to what it was there, is locked within a few sizes around, and the stage runs again;
- * at last the stage is left out altogether. So the surface has no self-intersections afterwards.
+ * Runs a stage on a surface without self-intersections. Where the stage makes some, it is
+ * smoothed, untangle(). Where that does not help, the surface goes back to what it was, is locked
+ * within a few sizes around, and the stage runs again; at last the stage is left out altogether.
+ * So the surface has no self-intersections afterwards, and is compact.
  * Locks of the stage are released at the end.
  * @return the number of pairs of triangles that the first run made intersect
  * @throws Cancelled

@@ -6,9 +6,11 @@
 #include "Mesh/Angles.h"
 #include "ParallelLoops.h"
 #include "Remeshing/FaceShape.h"
+#include "Remeshing/OrderedTasks.h"
 #include "Remeshing/Relaxation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -19,12 +21,17 @@ namespace evolving
 namespace
 {
 
-constexpr int Directions = 8;
+/// In the tangent plane, counter-clockwise.
+const std::array<Eigen::Vector2d, 8> Directions = { { { 1.0, 0.0 }, { M_SQRT1_2, M_SQRT1_2 },
+  { 0.0, 1.0 }, { -M_SQRT1_2, M_SQRT1_2 }, { -1.0, 0.0 }, { -M_SQRT1_2, -M_SQRT1_2 }, { 0.0, -1.0 },
+  { M_SQRT1_2, -M_SQRT1_2 } } };
 /// The search begins with moves of this fraction of the size and halves them so often.
 constexpr double FirstMove = 0.15;
 constexpr int Halvings = 6;
 /// No face may turn by more than 45 degrees in a move.
 constexpr double LeastCosine = 0.7;
+/// Stars that are worth a thread.
+constexpr std::int64_t StarGrain = 16;
 /// The cosine must fall by this much, or rounding would go on for ever.
 constexpr double LeastGain = 1e-7;
 
@@ -104,10 +111,9 @@ private:
     for (bool goesOn = true; goesOn;)
     {
       goesOn = false;
-      for (int k = 0; k < Directions; ++k)
+      for (const Eigen::Vector2d& direction : Directions)
       {
-        const double angle = 360.0 * RadiansPerDegree * k / Directions;
-        if (this->tryMove(v, move * (std::cos(angle) * this->U + std::sin(angle) * this->V)))
+        if (this->tryMove(v, move * (direction.x() * this->U + direction.y() * this->V)))
         {
           goesOn = true;
           hasMoved = true;
@@ -204,6 +210,21 @@ std::vector<std::pair<double, Index>> verticesOfBadFaces(
   return vertices;
 }
 
+/// Vertices that are not neighbours have no edge in common.
+std::vector<Index> edgesAt(const EditableSurface& surface, Index v)
+{
+  std::vector<Index> edges;
+  surface.forEachOutgoing(v,
+    [&](Index e)
+    {
+      for (const Index edge : { e, EditableSurface::previous(e) })
+      {
+        edges.push_back(surface.isFirstHalf(edge) ? edge : surface.opposite(edge));
+      }
+    });
+  return edges;
+}
+
 } // namespace
 
 Index optimizeStarsOf(EditableSurface& surface, const ReferenceSurface& reference,
@@ -232,17 +253,19 @@ Index optimizeStars(EditableSurface& surface, const ReferenceSurface& reference,
   int rounds, const Execution& execution)
 {
   const double limit = std::cos(degrees * RadiansPerDegree);
-  StarSearch search(surface, reference);
   Index moves = 0;
   for (int round = 0; round < rounds; ++round)
   {
     execution.report(static_cast<double>(round) / rounds);
     const auto vertices = verticesOfBadFaces(surface, limit);
-    Index moved = 0;
-    for (const auto& [cosine, v] : vertices)
-    {
-      moved += search.improve(v) ? 1 : 0;
-    }
+    std::vector<char> hasMoved(vertices.size(), 0);
+    runInOrder(
+      vertices.size(), [&](std::size_t i) { return edgesAt(surface, vertices[i].second); },
+      surface.edgeSlots(), StarGrain,
+      [&](std::size_t i)
+      { hasMoved[i] = StarSearch(surface, reference).improve(vertices[i].second) ? 1 : 0; },
+      execution);
+    const auto moved = static_cast<Index>(std::count(hasMoved.begin(), hasMoved.end(), 1));
     moves += moved;
     if (moved == 0)
     {

@@ -25,18 +25,21 @@ EditableSurface slab()
   return shapes::sized(shapes::triangleBox(16, Vec3(1.0, 1.0, 0.05)), 0.125);
 }
 
-/// Lifts the top by a bit, and pushes one vertex of it through the bottom.
-void liftAndPush(EditableSurface& surface, bool respectsLocks)
+/// Lifts the top by a bit, and pushes what is near a point of it through the bottom.
+void liftAndPush(EditableSurface& surface, double reach, bool respectsLocks)
 {
-  const Index pushed = shapes::vertexNear(surface, Vec3(0.5, 0.5, 0.05));
   for (const Index v : verticesOf(surface))
   {
     if (surface.point(v).z() > 0.0 && !(respectsLocks && surface.isPinned(v)))
     {
-      surface.setPoint(v, surface.point(v) + Vec3(0.0, 0.0, v == pushed ? -0.2 : 0.01));
+      const bool isPushed = (surface.point(v) - Vec3(0.5, 0.5, 0.05)).norm() < reach;
+      surface.setPoint(v, surface.point(v) + Vec3(0.0, 0.0, isPushed ? -0.2 : 0.01));
     }
   }
 }
+
+constexpr double OneVertex = 0.01;
+constexpr double ManyVertices = 0.26;
 
 TEST(StageGuard, LetsAStageThatIntersectsNothingPass)
 {
@@ -54,6 +57,30 @@ TEST(StageGuard, LetsAStageThatIntersectsNothingPass)
   EXPECT_TRUE(surface.mesh() == expected.mesh());
 }
 
+TEST(StageGuard, SmoothsAPlaceAndKeepsTheRest)
+{
+  EditableSurface surface = slab();
+  EditableSurface once = surface;
+  liftAndPush(once, OneVertex, false);
+  int runs = 0;
+  const Index made = runGuarded(surface,
+    [&](EditableSurface& s)
+    {
+      ++runs;
+      liftAndPush(s, OneVertex, false);
+    });
+  EXPECT_EQ(made, static_cast<Index>(selfIntersections(once.mesh()).size()));
+  EXPECT_EQ(runs, 1);
+  EXPECT_TRUE(selfIntersections(surface.mesh()).empty());
+  for (const Index v : verticesOf(surface))
+  {
+    // A ring around the vertex that was pushed, on both sides.
+    const Vec3 fromPush = once.point(v) - Vec3(0.5, 0.5, 0.0);
+    const bool isNear = fromPush.head<2>().norm() < 0.3;
+    EXPECT_TRUE(isNear || surface.point(v) == once.point(v));
+  }
+}
+
 TEST(StageGuard, UndoesAPlaceAndKeepsTheRest)
 {
   EditableSurface surface = slab();
@@ -63,7 +90,7 @@ TEST(StageGuard, UndoesAPlaceAndKeepsTheRest)
     [&](EditableSurface& s)
     {
       ++runs;
-      liftAndPush(s, true);
+      liftAndPush(s, ManyVertices, true);
     });
   EXPECT_GT(made, 0);
   EXPECT_EQ(runs, 2);
@@ -77,14 +104,14 @@ TEST(StageGuard, UndoesAPlaceAndKeepsTheRest)
     EXPECT_FALSE(surface.isPinned(v)) << "a lock is left";
     if (before.point(v).z() > 0.0)
     {
-      // Locked are two sizes around the faces that intersected: a vertex's ring, one edge more.
-      EXPECT_TRUE(distance > 0.26 || rise == 0.0);
-      EXPECT_TRUE(distance < 0.5 || std::abs(rise - 0.01) < 1e-15);
+      // Locked are two sizes around the faces that intersected: those at the pushed vertices.
+      EXPECT_TRUE(distance > ManyVertices + 0.25 || rise == 0.0);
+      EXPECT_TRUE(distance < 0.85 || std::abs(rise - 0.01) < 1e-15);
       moved += rise != 0.0 ? 1 : 0;
       ++top;
     }
   }
-  EXPECT_GT(moved, 0.7 * top);
+  EXPECT_GT(moved, 0.5 * top);
 }
 
 TEST(StageGuard, OfMovesOnlyThoseThatIntersectAreTakenBack)
@@ -96,7 +123,7 @@ TEST(StageGuard, OfMovesOnlyThoseThatIntersectAreTakenBack)
     [&](EditableSurface& s)
     {
       ++runs;
-      liftAndPush(s, false);
+      liftAndPush(s, OneVertex, false);
     });
   EXPECT_EQ(runs, 1);
   EXPECT_TRUE(selfIntersections(surface.mesh()).empty());
@@ -127,7 +154,7 @@ TEST(StageGuard, LeavesAStageOutThatAlwaysIntersects)
               [&](EditableSurface& s)
               {
                 ++runs;
-                liftAndPush(s, false);
+                liftAndPush(s, ManyVertices, false);
               }),
     0);
   EXPECT_EQ(runs, 5);
@@ -151,7 +178,7 @@ TEST(StageGuard, GuardsChangesOfConnectivityToo)
           s.collapse(e);
         }
       }
-      liftAndPush(s, true);
+      liftAndPush(s, ManyVertices, true);
     });
   expectSound(surface, kind);
   EXPECT_TRUE(selfIntersections(surface.mesh()).empty());
@@ -162,7 +189,7 @@ TEST(UndoIntersections, TakesBackWhatIntersects)
   SurfaceMesh mesh = slab().mesh();
   const std::vector<Vec3> before = mesh.points;
   EditableSurface moved = slab();
-  liftAndPush(moved, false);
+  liftAndPush(moved, OneVertex, false);
   mesh.points = moved.mesh().points;
   ASSERT_FALSE(selfIntersections(mesh).empty());
   const Index back = undoIntersections(mesh, before);
@@ -185,7 +212,7 @@ TEST(UndoIntersections, TakesBackWhatIntersects)
 TEST(UndoIntersections, EndsWhereTheSurfaceIntersectedBefore)
 {
   EditableSurface pushed = slab();
-  liftAndPush(pushed, false);
+  liftAndPush(pushed, OneVertex, false);
   SurfaceMesh mesh = pushed.mesh();
   const SurfaceMesh before = mesh;
   undoIntersections(mesh, before.points);
