@@ -3,33 +3,23 @@
 
 #include "Distance/AABBTreeBuilder.h"
 
+#include "ParallelLoops.h"
+
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace evolving
 {
 
-namespace
-{
-
-/// Intersects a box with one inflated by a margin, unless nothing would remain.
-void shrink(FloatBox& box, const Box& other, double margin)
-{
-  const Vec3 size = Vec3::Constant(margin);
-  const FloatBox common =
-    box.intersection(roundedOutwards(Box(Vec3(other.min() - size), Vec3(other.max() + size))));
-  box = common.isEmpty() ? box : common;
-}
-
-} // namespace
-
 void AABBTreeBuilder::build(AABBTree& tree, const Execution& execution)
 {
   AABBTreeBuilder builder(tree, execution);
-  References references = builder.allTriangles();
+  TriangleReferences references = builder.allTriangles();
   if (!references.empty())
   {
-    builder.addNode(references, 0);
+    builder.addUpper(std::move(references), 0);
+    builder.buildSubtrees();
+    builder.append(builder.Upper.front());
     tree.Near = WideBoxTree(tree.Nodes, tree.LeafTriangles, builder.LeafBoxes);
   }
   execution.report(1.0);
@@ -49,153 +39,96 @@ AABBTreeBuilder::AABBTreeBuilder(AABBTree& tree, const Execution& execution)
   this->Epsilon = root.isEmpty() ? 0.0 : RelativeEpsilon * root.sizes().maxCoeff();
 }
 
-AABBTreeBuilder::References AABBTreeBuilder::allTriangles() const
+TriangleReferences AABBTreeBuilder::allTriangles() const
 {
-  References references(this->Tree.Triangles.size());
-  for (std::size_t i = 0; i < references.size(); ++i)
-  {
-    references[i] = { static_cast<Index>(i), roundedOutwards(this->Tree.Triangles[i].box()) };
-  }
+  TriangleReferences references(this->Tree.Triangles.size());
+  forEachIndex(this->Host, this->Tree.triangleCount(),
+    [&](Index i) {
+      references[at(i)] = { i, roundedOutwards(this->Tree.triangle(i).box()) };
+    });
   return references;
 }
 
-Index AABBTreeBuilder::addNode(References& references, int level)
+std::size_t AABBTreeBuilder::addUpper(TriangleReferences references, int level)
 {
-  FloatBox box;
-  for (const Reference& reference : references)
+  constexpr int UpperLevels = 6;
+  constexpr std::size_t WorthAThread = 1000;
+  this->Host.report(0.0);
+  AABBSubtreeBuilder builder(this->Tree.Triangles, this->Epsilon);
+  const std::size_t number = this->Upper.size();
+  this->Upper.emplace_back();
+  this->Upper[number].level = level;
+  TriangleReferences left;
+  TriangleReferences right;
+  if (level < UpperLevels && references.size() > WorthAThread &&
+    builder.split(references, level, left, right))
   {
-    box.extend(reference.box);
+    this->Upper[number].box = builder.boxOf(references);
+    this->Upper[number].hasHalves = true;
+    TriangleReferences().swap(references);
+    const std::size_t leftNumber = this->addUpper(std::move(left), level + 1);
+    const std::size_t rightNumber = this->addUpper(std::move(right), level + 1);
+    this->Upper[number].left = leftNumber;
+    this->Upper[number].right = rightNumber;
+  }
+  else
+  {
+    this->Upper[number].references = std::move(references);
+  }
+  return number;
+}
+
+void AABBTreeBuilder::buildSubtrees()
+{
+  this->Host.forRangeReporting(static_cast<std::int64_t>(this->Upper.size()), 1,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t i = begin; i < end; ++i)
+      {
+        UpperNode& upper = this->Upper[static_cast<std::size_t>(i)];
+        if (!upper.hasHalves)
+        {
+          AABBSubtreeBuilder builder(this->Tree.Triangles, this->Epsilon);
+          upper.subtree = builder.build(std::move(upper.references), upper.level);
+        }
+      }
+    });
+}
+
+Index AABBTreeBuilder::append(const UpperNode& upper)
+{
+  if (!upper.hasHalves)
+  {
+    return this->append(upper.subtree);
   }
   const auto node = static_cast<Index>(this->Tree.Nodes.size());
   this->Tree.Nodes.emplace_back();
-  this->Tree.Nodes.back().box = this->inflated(box);
-  this->Tree.Levels.push_back(static_cast<std::int8_t>(level));
-  this->reportProgress(references.size());
-
-  References left;
-  References right;
-  if (references.size() <= AABBTree::LargestLeaf || level >= AABBTree::MaximumDepth ||
-    !this->split(references, box, left, right))
-  {
-    this->fillLeaf(node, references);
-    return node;
-  }
-  References().swap(references); // the halves replace it; only one path is in memory
-  const Index leftNode = this->addNode(left, level + 1);
-  const Index rightNode = this->addNode(right, level + 1);
-  this->Tree.Nodes[static_cast<std::size_t>(node)].left = leftNode;
-  this->Tree.Nodes[static_cast<std::size_t>(node)].right = rightNode;
+  this->Tree.Nodes.back().box = upper.box;
+  this->Tree.Levels.push_back(static_cast<std::int8_t>(upper.level));
+  const Index left = this->append(this->Upper[upper.left]);
+  const Index right = this->append(this->Upper[upper.right]);
+  this->Tree.Nodes[at(node)].left = left;
+  this->Tree.Nodes[at(node)].right = right;
   return node;
 }
 
-bool AABBTreeBuilder::split(
-  const References& references, const FloatBox& box, References& left, References& right)
+Index AABBTreeBuilder::append(const AABBSubtree& subtree)
 {
-  int axis = 0;
-  const float length = box.sizes().maxCoeff(&axis);
-  if (!(length > 0.0F))
+  const auto node = static_cast<Index>(this->Tree.Nodes.size());
+  const auto leafTriangle = static_cast<Index>(this->Tree.LeafTriangles.size());
+  for (BoxNode next : subtree.nodes)
   {
-    return false; // copies of one point
+    next.left += next.isLeaf() ? 0 : node;
+    next.right += next.right == NoIndex ? 0 : node;
+    next.firstTriangle += next.isLeaf() ? leafTriangle : 0;
+    this->Tree.Nodes.push_back(next);
   }
-  const float low = box.min()[axis];
-  this->Intervals.resize(references.size());
-  for (std::size_t i = 0; i < references.size(); ++i)
-  {
-    this->Intervals[i] = { (references[i].box.min()[axis] - low) / length,
-      (references[i].box.max()[axis] - low) / length };
-  }
-  const float fraction = searchSplit(box.sizes().cast<double>(), axis, this->Intervals).position;
-  const float position = low + fraction * length;
-  for (const Reference& reference : references)
-  {
-    const float from = reference.box.min()[axis];
-    const float to = reference.box.max()[axis];
-    const bool isLeft = from < position || to <= position;
-    const bool isRight = to > position;
-    if (isLeft)
-    {
-      left.push_back(reference);
-    }
-    if (isRight)
-    {
-      right.push_back(reference);
-    }
-    if (isLeft && isRight)
-    {
-      this->clip(left.back(), right.back(), axis, position);
-    }
-  }
-  const auto before = static_cast<double>(references.size());
-  return static_cast<double>(left.size() + right.size()) < AABBTree::LargestGrowth * before &&
-    left.size() < references.size() && right.size() < references.size();
-}
-
-void AABBTreeBuilder::clip(Reference& left, Reference& right, int axis, float position) const
-{
-  const Triangle& triangle = this->Tree.triangle(left.triangle);
-  const auto plane = static_cast<double>(position);
-  Box below;
-  Box above;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const Vec3& from = triangle.corners[k];
-    const Vec3& to = triangle.corners[(k + 1) % 3];
-    // A corner in the plane belongs to both parts.
-    if (from[axis] <= plane)
-    {
-      below.extend(from);
-    }
-    if (from[axis] >= plane)
-    {
-      above.extend(from);
-    }
-    if ((from[axis] < plane && to[axis] > plane) || (from[axis] > plane && to[axis] < plane))
-    {
-      const double t = (plane - from[axis]) / (to[axis] - from[axis]);
-      const Vec3 crossing = from + t * (to - from);
-      below.extend(crossing);
-      above.extend(crossing);
-    }
-  }
-  left.box.max()[axis] = position;
-  right.box.min()[axis] = position;
-  shrink(left.box, below, this->Epsilon);
-  shrink(right.box, above, this->Epsilon);
-}
-
-void AABBTreeBuilder::fillLeaf(Index node, const References& references)
-{
-  AABBTree::Node& leaf = this->Tree.Nodes[static_cast<std::size_t>(node)];
-  leaf.firstTriangle = static_cast<Index>(this->Tree.LeafTriangles.size());
-  for (const Reference& reference : references)
-  {
-    if (overlaps(this->Tree.triangle(reference.triangle), leaf.box))
-    {
-      this->Tree.LeafTriangles.push_back(reference.triangle);
-      this->LeafBoxes.push_back(roundedOutwards(this->inflated(reference.box)));
-    }
-  }
-  leaf.triangleCount = static_cast<Index>(this->Tree.LeafTriangles.size()) - leaf.firstTriangle;
-  this->Finished += references.size();
-}
-
-Box AABBTreeBuilder::inflated(const FloatBox& box) const
-{
-  const Vec3 margin = Vec3::Constant(this->Epsilon);
-  return { Vec3(box.min().cast<double>() - margin), Vec3(box.max().cast<double>() + margin) };
-}
-
-void AABBTreeBuilder::reportProgress(std::size_t finishedReferences)
-{
-  constexpr std::size_t ReportInterval = 200000; // some ten milliseconds
-  this->SinceReport += finishedReferences;
-  if (this->SinceReport >= ReportInterval)
-  {
-    this->SinceReport = 0;
-    // A triangle ends up in about three leaves.
-    const double expected = 3.0 * static_cast<double>(this->Tree.Triangles.size());
-    this->Host.report(static_cast<double>(this->Finished) / expected);
-  }
+  const auto addTo = [](auto& all, const auto& some)
+  { all.insert(all.end(), some.begin(), some.end()); };
+  addTo(this->Tree.Levels, subtree.levels);
+  addTo(this->Tree.LeafTriangles, subtree.leafTriangles);
+  addTo(this->LeafBoxes, subtree.leafBoxes);
+  return node;
 }
 
 } // namespace evolving

@@ -3,22 +3,25 @@
 
 /**
  * @file
- * The construction of an AABBTree (algorithm 4 of the thesis).
+ * The construction of an AABBTree on several threads.
  */
 
 #ifndef EVOLVING_AABB_TREE_BUILDER_H
 #define EVOLVING_AABB_TREE_BUILDER_H
 
+#include "Distance/AABBSubtree.h"
 #include "Distance/AABBTree.h"
 #include "Distance/FloatBox.h"
-#include "Distance/SurfaceAreaSplit.h"
 #include "Execution.h"
+#include "Types.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace evolving
 {
 
+/// The upper levels one after the other, then what is below them side by side.
 class AABBTreeBuilder
 {
 public:
@@ -26,34 +29,31 @@ public:
   static void build(AABBTree& tree, const Execution& execution);
 
 private:
-  /// A triangle and the box of its part in a node, rounded outwards.
-  struct Reference
+  /// A node of the upper levels; those without halves have a subtree.
+  struct UpperNode
   {
-    Index triangle = NoIndex;
-    FloatBox box;
+    Box box;
+    int level = 0;
+    std::size_t left = 0;
+    std::size_t right = 0;
+    bool hasHalves = false;
+    TriangleReferences references; ///< of the subtree
+    AABBSubtree subtree;
   };
-  using References = std::vector<Reference>;
 
   AABBTreeBuilder(AABBTree& tree, const Execution& execution);
 
-  References allTriangles() const;
-  Index addNode(References& references, int level);
-  /// Divides the references at the best split; false when that does not pay.
-  bool split(
-    const References& references, const FloatBox& box, References& left, References& right);
-  /// Shrinks the halves of a reference to its triangle's parts on the two sides of a plane.
-  void clip(Reference& left, Reference& right, int axis, float position) const;
-  void fillLeaf(Index node, const References& references);
-  Box inflated(const FloatBox& box) const;
-  void reportProgress(std::size_t finishedReferences);
+  TriangleReferences allTriangles() const;
+  std::size_t addUpper(TriangleReferences references, int level);
+  void buildSubtrees();
+  Index append(const UpperNode& upper);
+  Index append(const AABBSubtree& subtree);
 
   AABBTree& Tree;
   const Execution& Host;
-  double Epsilon = 0.0; ///< by which boxes are inflated
-  std::vector<SplitInterval> Intervals;
-  std::vector<FloatBox> LeafBoxes; ///< around the part of each of the tree's leaf triangles
-  std::size_t Finished = 0;
-  std::size_t SinceReport = 0;
+  double Epsilon = 0.0;
+  std::vector<UpperNode> Upper;
+  std::vector<FloatBox> LeafBoxes;
 };
 
 } // namespace evolving

@@ -4,21 +4,31 @@
 #include "Distance/FloatBox.h"
 
 #include <cmath>
+#include <limits>
 
 namespace evolving
 {
 
+namespace
+{
+
+/// One place of a float and a bit lower: as safe as std::nextafter(), and faster.
+float roundedDown(double value)
+{
+  constexpr float Place = 1.2e-7F;
+  const auto rounded = static_cast<float>(value);
+  if (std::isinf(rounded))
+  {
+    return value < 0.0 ? rounded : std::numeric_limits<float>::max();
+  }
+  return rounded - (Place * std::abs(rounded) + std::numeric_limits<float>::denorm_min());
+}
+
+} // namespace
+
 FloatBox roundedOutwards(const Box& box)
 {
-  FloatBox rounded(box.min().cast<float>(), box.max().cast<float>());
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    float& low = rounded.min()[axis];
-    float& high = rounded.max()[axis];
-    low = static_cast<double>(low) > box.min()[axis] ? std::nextafter(low, -HUGE_VALF) : low;
-    high = static_cast<double>(high) < box.max()[axis] ? std::nextafter(high, HUGE_VALF) : high;
-  }
-  return rounded;
+  return { box.min().unaryExpr(&roundedDown), -((-box.max()).unaryExpr(&roundedDown)) };
 }
 
 } // namespace evolving

@@ -16,7 +16,7 @@ namespace evolving
 
 using FloatBox = Eigen::AlignedBox3f;
 
-/// The smallest box of floats around a box of doubles.
+/// A box of floats around a box of doubles, larger by little more than rounding.
 FloatBox roundedOutwards(const Box& box);
 
 } // namespace evolving

@@ -43,7 +43,7 @@ public:
     if (!this->Nodes.empty())
     {
       this->measureFrom(this->Nodes.front().box);
-      this->add(this->partsOf(this->Nodes.front()));
+      this->add(0);
     }
   }
 
@@ -72,21 +72,22 @@ private:
 
   const BoxNode& node(Index number) const { return this->Nodes[static_cast<std::size_t>(number)]; }
 
-  Parts partsOf(const BoxNode& node) const
+  void appendPartsOf(Index number, Parts& parts) const
   {
-    if (!node.isLeaf())
+    const BoxNode& node = this->node(number);
+    for (const Index child : { node.left, node.right })
     {
-      return { { this->node(node.left).box, node.left, NoIndex },
-        { this->node(node.right).box, node.right, NoIndex } };
+      if (child != NoIndex)
+      {
+        parts.push_back({ this->node(child).box, child, NoIndex });
+      }
     }
-    Parts parts;
     for (Index k = node.firstTriangle; k < node.firstTriangle + node.triangleCount; ++k)
     {
       const auto entry = static_cast<std::size_t>(k);
       parts.push_back(
         { this->LeafBoxes[entry].cast<double>(), NoIndex, this->LeafTriangles[entry] });
     }
-    return parts;
   }
 
   std::size_t partCount(const Part& part) const
@@ -111,16 +112,25 @@ private:
       {
         return;
       }
-      const Parts inner = this->partsOf(this->node(largest->node));
-      parts.erase(largest);
-      parts.insert(parts.end(), inner.begin(), inner.end());
+      const Index number = largest->node;
+      *largest = parts.back();
+      parts.pop_back();
+      this->appendPartsOf(number, parts);
     }
   }
 
-  /// A node of these parts, or of groups of them where they are many.
-  Index add(Parts parts)
+  Index add(Index number)
   {
+    Parts parts;
+    parts.reserve(Width);
+    this->appendPartsOf(number, parts);
     this->fill(parts);
+    return this->add(parts);
+  }
+
+  /// A node of these parts, or of groups of them where they are many.
+  Index add(const Parts& parts)
+  {
     const auto number = static_cast<Index>(this->Tree.Nodes.size());
     this->Tree.Nodes.emplace_back();
     if (parts.size() <= Width)
@@ -151,7 +161,7 @@ private:
 
   Index childOf(const Part& part)
   {
-    return part.node == NoIndex ? ~part.triangle : this->add(this->partsOf(this->node(part.node)));
+    return part.node == NoIndex ? ~part.triangle : this->add(part.node);
   }
 
   FloatBox local(const Box& box) const

@@ -4,6 +4,9 @@
 #include "Mesh/BoxPairs.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
 
 namespace evolving
 {
@@ -24,7 +27,7 @@ std::size_t at(Index i)
 class HalvedBoxes
 {
 public:
-  explicit HalvedBoxes(const std::vector<Box>& boxes)
+  HalvedBoxes(const std::vector<Box>& boxes, const Execution& execution)
     : Boxes(boxes)
     , RangeBoxes(boxes.size())
   {
@@ -35,7 +38,7 @@ public:
         this->Order.push_back(i);
       }
     }
-    this->build(0, this->count());
+    this->build(execution);
     for (const Index i : this->Order)
     {
       this->Ordered.push_back(boxes[at(i)]);
@@ -58,20 +61,68 @@ private:
 
   static Index middle(Index begin, Index end) { return begin + (end - begin) / 2; }
 
-  void build(Index begin, Index end)
+  using Range = std::pair<Index, Index>;
+
+  /// The first halvings level by level, until there are ranges for all threads; none too small.
+  void build(const Execution& execution)
   {
-    Box range;
+    constexpr Index Enough = 32;
+    std::vector<Range> ranges{ { 0, this->count() } };
+    while (static_cast<Index>(ranges.size()) < std::min(Enough, this->count() / (2 * LeafSize)))
+    {
+      execution.forRange(static_cast<std::int64_t>(ranges.size()), 1,
+        [&](std::int64_t begin, std::int64_t end)
+        {
+          for (std::int64_t i = begin; i < end; ++i)
+          {
+            this->divide(ranges[static_cast<std::size_t>(i)]);
+          }
+        });
+      std::vector<Range> halves;
+      for (const auto& [begin, end] : ranges)
+      {
+        halves.emplace_back(begin, middle(begin, end));
+        halves.emplace_back(middle(begin, end), end);
+      }
+      ranges = std::move(halves);
+    }
+    execution.forRange(static_cast<std::int64_t>(ranges.size()), 1,
+      [&](std::int64_t begin, std::int64_t end)
+      {
+        for (std::int64_t i = begin; i < end; ++i)
+        {
+          this->buildBelow(ranges[static_cast<std::size_t>(i)]);
+        }
+      });
+  }
+
+  void buildBelow(const Range& range)
+  {
+    this->divide(range);
+    const auto& [begin, end] = range;
+    if (end - begin > LeafSize)
+    {
+      this->buildBelow({ begin, middle(begin, end) });
+      this->buildBelow({ middle(begin, end), end });
+    }
+  }
+
+  /// Finds the range's box, and sorts it into halves.
+  void divide(const Range& range)
+  {
+    const auto& [begin, end] = range;
+    Box box;
     Box centers;
     for (Index position = begin; position < end; ++position)
     {
-      const Box& box = this->Boxes[at(this->Order[at(position)])];
-      range.extend(box);
-      centers.extend(box.center());
+      const Box& next = this->Boxes[at(this->Order[at(position)])];
+      box.extend(next);
+      centers.extend(next.center());
     }
     const Index half = middle(begin, end);
     if (end > begin)
     {
-      this->RangeBoxes[at(half)] = range;
+      this->RangeBoxes[at(half)] = box;
     }
     if (end - begin > LeafSize)
     {
@@ -81,8 +132,6 @@ private:
       { return this->Boxes[at(i)].min()[axis] + this->Boxes[at(i)].max()[axis]; };
       std::nth_element(this->Order.begin() + begin, this->Order.begin() + half,
         this->Order.begin() + end, [&](Index i, Index j) { return center(i) < center(j); });
-      this->build(begin, half);
-      this->build(half, end);
     }
   }
 
@@ -122,7 +171,7 @@ std::vector<IndexPair> overlappingPairs(
   const std::vector<Box>& boxes, const PairPredicate& isWanted, const Execution& execution)
 {
   constexpr std::int64_t Grain = 128;
-  const HalvedBoxes halved(boxes);
+  const HalvedBoxes halved(boxes, execution);
   std::vector<std::vector<IndexPair>> found(at(halved.count()) / Grain + 1);
   execution.forRangeReporting(halved.count(), Grain,
     [&](std::int64_t begin, std::int64_t end)

@@ -5,13 +5,14 @@
 
 #include "ParallelLoops.h"
 #include "Remeshing/GuardedMove.h"
+#include "Remeshing/NormalEquations.h"
 
 #include <Eigen/Dense>
 #include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace evolving
@@ -27,15 +28,7 @@ constexpr double Inertia = 1e-3;
 constexpr double SolverTolerance = 1e-4;
 
 using Mat3 = Eigen::Matrix3d;
-using Mat9 = Eigen::Matrix<double, 9, 9>;
 using Vec9 = Eigen::Matrix<double, 9, 1>;
-
-/// A face's part of the normal equations, in the moves of its three vertices.
-struct FaceTerms
-{
-  Mat9 matrix = Mat9::Zero();
-  Vec9 rightSide = Vec9::Zero();
-};
 
 class Fit
 {
@@ -58,6 +51,7 @@ public:
         this->Unknowns += this->Directions;
       }
     }
+    this->Equations.emplace(surface, this->Unknown, this->Directions);
   }
 
   void iterate(double damping)
@@ -135,50 +129,19 @@ private:
     return terms;
   }
 
-  /// Visits the unknowns of a face: visit(unknown, its place among the face's nine).
-  template <class Visit>
-  void forEachUnknown(Index f, Visit visit) const
+  Eigen::VectorXd solve(const std::vector<FaceTerms>& terms)
   {
-    for (Index k = 0; k < 3; ++k)
-    {
-      const Index first = this->Unknown[at(this->Surface.from(3 * f + k))];
-      for (Index d = 0; first != NoIndex && d < this->Directions; ++d)
-      {
-        visit(first + d, 3 * k + d);
-      }
-    }
-  }
-
-  Eigen::VectorXd solve(const std::vector<FaceTerms>& terms) const
-  {
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(terms.size() * at(9 * this->Directions * this->Directions));
-    Eigen::VectorXd rightSide = Eigen::VectorXd::Zero(this->Unknowns);
-    for (Index f = 0; f < this->Surface.faceSlots(); ++f)
-    {
-      if (this->Surface.hasFace(f))
-      {
-        const FaceTerms& t = terms[at(f)];
-        this->forEachUnknown(f,
-          [&](Index row, Index i)
-          {
-            rightSide[row] += t.rightSide[i];
-            this->forEachUnknown(
-              f, [&](Index column, Index j) { entries.emplace_back(row, column, t.matrix(i, j)); });
-          });
-      }
-    }
-    Eigen::SparseMatrix<double> matrix(this->Unknowns, this->Unknowns);
-    matrix.setFromTriplets(entries.begin(), entries.end());
+    this->Equations->assemble(terms, this->Run);
+    NormalEquations::Matrix& matrix = this->Equations->matrix();
     const double inertia = Inertia * matrix.diagonal().sum() / std::max(1, this->Unknowns);
     for (Index i = 0; i < this->Unknowns; ++i)
     {
       matrix.coeffRef(i, i) += inertia;
     }
-    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver;
+    Eigen::ConjugateGradient<NormalEquations::Matrix, Eigen::Lower | Eigen::Upper> solver;
     solver.setTolerance(SolverTolerance);
     solver.compute(matrix);
-    return solver.solve(rightSide);
+    return solver.solve(this->Equations->rightSide());
   }
 
   void move(const Eigen::VectorXd& moves, double damping)
@@ -207,6 +170,7 @@ private:
   std::vector<Mat3> Frames;
   std::vector<Index> Unknown; ///< of every vertex the first
   Index Unknowns = 0;
+  std::optional<NormalEquations> Equations;
 };
 
 } // namespace
