@@ -6,8 +6,10 @@
 #include "Distance/AABBTree.h"
 #include "Mesh/SelfIntersections.h"
 #include "ParallelLoops.h"
+#include "Remeshing/FaceShape.h"
 #include "Remeshing/Untangling.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace evolving
@@ -23,26 +25,70 @@ constexpr double LockedSizes = 2.0;
 
 using FacePairs = std::vector<std::pair<Index, Index>>;
 
-/// The intersecting triangles alone.
-SurfaceMesh facesOf(const SurfaceMesh& mesh, const FacePairs& pairs)
+/// Where a stage has failed.
+class Faults
 {
-  std::vector<char> isIn(at(mesh.faceCount()), 0);
-  for (const auto& [first, second] : pairs)
+public:
+  explicit Faults(const EditableSurface& surface)
+    : Surface(surface)
+    , IsFault(at(surface.faceSlots()), 0)
   {
-    isIn[at(first)] = 1;
-    isIn[at(second)] = 1;
   }
-  SurfaceMesh faces;
-  faces.points = mesh.points;
-  for (Index f = 0; f < mesh.faceCount(); ++f)
+
+  void add(const FacePairs& pairs)
   {
-    if (isIn[at(f)] != 0)
+    for (const auto& [first, second] : pairs)
     {
-      faces.addFace({ mesh.faceVertex(f, 0), mesh.faceVertex(f, 1), mesh.faceVertex(f, 2) });
+      this->IsFault[at(first)] = 1;
+      this->IsFault[at(second)] = 1;
     }
   }
-  return faces;
-}
+
+  /// What is locked has not been changed, and one or two can be repaired.
+  void addAngles(double leastAngle)
+  {
+    constexpr std::size_t Few = 2;
+    std::vector<Index> small;
+    for (Index f = 0; f < this->Surface.faceSlots(); ++f)
+    {
+      const bool isSmall = smallestAngle(this->Surface.corner(f, 0), this->Surface.corner(f, 1),
+                             this->Surface.corner(f, 2)) < leastAngle;
+      if (isSmall && !this->Surface.isLockedFace(f))
+      {
+        small.push_back(f);
+      }
+    }
+    for (std::size_t i = 0; small.size() > Few && i < small.size(); ++i)
+    {
+      this->IsFault[at(small[i])] = 1;
+    }
+  }
+
+  bool areNone() const
+  {
+    return std::none_of(
+      this->IsFault.begin(), this->IsFault.end(), [](char isFault) { return isFault != 0; });
+  }
+
+  SurfaceMesh faces() const
+  {
+    SurfaceMesh faces;
+    const SurfaceMesh all = this->Surface.mesh();
+    faces.points = all.points;
+    for (Index f = 0; f < all.faceCount(); ++f)
+    {
+      if (this->IsFault[at(f)] != 0)
+      {
+        faces.addFace({ all.faceVertex(f, 0), all.faceVertex(f, 1), all.faceVertex(f, 2) });
+      }
+    }
+    return faces;
+  }
+
+private:
+  const EditableSurface& Surface; ///< compact
+  std::vector<char> IsFault;
+};
 
 void lockAround(EditableSurface& surface, const SurfaceMesh& faces, double sizes)
 {
@@ -62,7 +108,8 @@ void lockAround(EditableSurface& surface, const SurfaceMesh& faces, double sizes
 
 } // namespace
 
-Index runGuarded(EditableSurface& surface, const RemeshingStage& stage, const Execution& execution)
+Index runGuarded(EditableSurface& surface, const RemeshingStage& stage, const Execution& execution,
+  double leastAngle)
 {
   EditableSurface before = surface;
   Index made = 0;
@@ -70,18 +117,23 @@ Index runGuarded(EditableSurface& surface, const RemeshingStage& stage, const Ex
   {
     stage(surface);
     surface.compact();
-    const SurfaceMesh mesh = surface.mesh();
-    const FacePairs pairs = selfIntersections(mesh, execution.phase(0.0, 0.0));
-    if (run == 1)
+    const FacePairs pairs = selfIntersections(surface.mesh(), execution.phase(0.0, 0.0));
+    made = run == 1 ? static_cast<Index>(pairs.size()) : made;
+    Faults faults(surface);
+    if (!pairs.empty() && !untangle(surface, pairs, execution))
     {
-      made = static_cast<Index>(pairs.size());
+      faults.add(pairs);
     }
-    if (pairs.empty() || untangle(surface, pairs, execution))
+    if (leastAngle > 0.0)
+    {
+      faults.addAngles(leastAngle);
+    }
+    if (faults.areNone())
     {
       surface.releaseLocks();
       return made;
     }
-    lockAround(before, facesOf(mesh, pairs), run * LockedSizes);
+    lockAround(before, faults.faces(), run * LockedSizes);
     surface = before;
   }
   surface.releaseLocks();

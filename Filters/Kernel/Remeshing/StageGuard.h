@@ -28,11 +28,13 @@ using RemeshingStage = std::function<void(EditableSurface& surface)>;
  * within a few sizes around, and the stage runs again; at last the stage is left out altogether.
  * So the surface has no self-intersections afterwards, and is compact.
  * Locks of the stage are released at the end.
+ * @param leastAngle where the stage leaves more than two triangles with smaller angles, in
+ *   degrees, the surface goes back too
  * @return the number of pairs of triangles that the first run made intersect
  * @throws Cancelled
  */
-Index runGuarded(
-  EditableSurface& surface, const RemeshingStage& stage, const Execution& execution = {});
+Index runGuarded(EditableSurface& surface, const RemeshingStage& stage,
+  const Execution& execution = {}, double leastAngle = 0.0);
 
 /**
  * The same for a stage that only moves vertices, and faster: the vertices of triangles that

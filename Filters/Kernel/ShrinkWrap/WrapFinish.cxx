@@ -28,6 +28,8 @@ constexpr int SettleRounds = 2;
 /// Peaks may cost elements their angles down to this, in degrees.
 constexpr double LeastUniformAngle = 44.5;
 constexpr double LeastAdaptedAngle = 42.5;
+/// Small elements must not slip into grooves that are narrower than large ones.
+constexpr double LeastAngleOfAdapted = 15.0;
 /// Creases that leave elements smaller angles than this are let go; remeshing may need some rounds.
 constexpr double LeastFeatureAngle = 30.0;
 constexpr int ReleaseRounds = 3;
@@ -76,7 +78,7 @@ public:
     }
     if (this->Options.adaptToCurvature)
     {
-      this->stage(0.3, 0.5, &Finish::adapt);
+      this->stage(0.3, 0.5, &Finish::adapt, runForAngles);
     }
     this->stage(0.5, 0.6, &Finish::polish);
     this->stage(0.6, 0.75, &Finish::fitAlong);
@@ -107,7 +109,19 @@ private:
 
   using Guard = Index (*)(EditableSurface&, const RemeshingStage&, const Execution&);
 
-  void stage(double from, double to, Work work, Guard guard = runGuarded)
+  static Index runForAngles(
+    EditableSurface& surface, const RemeshingStage& stage, const Execution& now)
+  {
+    return runGuarded(surface, stage, now, LeastAngleOfAdapted);
+  }
+
+  static Index runAnyAngles(
+    EditableSurface& surface, const RemeshingStage& stage, const Execution& now)
+  {
+    return runGuarded(surface, stage, now);
+  }
+
+  void stage(double from, double to, Work work, Guard guard = runAnyAngles)
   {
     this->Run.phase(from, to).report(0.0);
     const Execution now = this->Run.phase(from, from); // parts run again and again

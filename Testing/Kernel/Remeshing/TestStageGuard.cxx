@@ -5,6 +5,7 @@
 
 #include "Mesh/SelfIntersections.h"
 #include "Remeshing/EditingChecks.h"
+#include "Remeshing/FaceShape.h"
 #include "Remeshing/RemeshingShapes.h"
 
 #include <gtest/gtest.h>
@@ -112,6 +113,38 @@ TEST(StageGuard, UndoesAPlaceAndKeepsTheRest)
     }
   }
   EXPECT_GT(moved, 0.5 * top);
+}
+
+TEST(StageGuard, TakesBackSmallAnglesWhenAsked)
+{
+  // Moves a vertex within its ring, nearly onto a neighbour: slivers, but nothing intersects.
+  constexpr Index Moved = 100;
+  const auto squash = [](EditableSurface& s)
+  {
+    if (!s.isLocked(Moved))
+    {
+      s.forEachNeighbour(Moved,
+        [&s, p = s.point(Moved)](Index u) { s.setPoint(Moved, 0.05 * p + 0.95 * s.point(u)); });
+    }
+  };
+  const auto smallAngles = [](const EditableSurface& s)
+  {
+    Index count = 0;
+    for (Index f = 0; f < s.faceSlots(); ++f)
+    {
+      count += smallestAngle(s.corner(f, 0), s.corner(f, 1), s.corner(f, 2)) < 10.0 ? 1 : 0;
+    }
+    return count;
+  };
+  const EditableSurface sphere = shapes::sized(shapes::shakenSphere(3, 0.0, 1), 0.15);
+  const SurfaceMesh before = sphere.mesh();
+  EditableSurface surface = sphere;
+  EXPECT_EQ(runGuarded(surface, squash), 0);
+  EXPECT_GT(smallAngles(surface), 2);
+  surface = sphere;
+  EXPECT_EQ(runGuarded(surface, squash, {}, 10.0), 0);
+  EXPECT_EQ(smallAngles(surface), 0);
+  EXPECT_TRUE(surface.mesh() == before);
 }
 
 TEST(StageGuard, OfMovesOnlyThoseThatIntersectAreTakenBack)
