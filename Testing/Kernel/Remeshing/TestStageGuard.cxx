@@ -117,14 +117,17 @@ TEST(StageGuard, UndoesAPlaceAndKeepsTheRest)
 
 TEST(StageGuard, TakesBackSmallAnglesWhenAsked)
 {
-  // Moves a vertex within its ring, nearly onto a neighbour: slivers, but nothing intersects.
-  constexpr Index Moved = 100;
+  // Moves vertices within their rings, nearly onto a neighbour: slivers, but nothing intersects.
   const auto squash = [](EditableSurface& s)
   {
-    if (!s.isLocked(Moved))
+    for (const Index v : { 100, 300 })
     {
-      s.forEachNeighbour(Moved,
-        [&s, p = s.point(Moved)](Index u) { s.setPoint(Moved, 0.05 * p + 0.95 * s.point(u)); });
+      Index neighbour = NoIndex;
+      s.forEachNeighbour(v, [&](Index u) { neighbour = u; });
+      if (!s.isLocked(v))
+      {
+        s.setPoint(v, 0.05 * s.point(v) + 0.95 * s.point(neighbour));
+      }
     }
   };
   const auto smallAngles = [](const EditableSurface& s)
