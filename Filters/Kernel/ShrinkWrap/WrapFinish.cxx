@@ -25,6 +25,7 @@ constexpr int UniformPasses = 10;
 constexpr int PassesBeforeCapture = 4;
 constexpr int CapturePasses = 10;
 constexpr int SettleRounds = 2;
+constexpr int LandingRounds = 4;
 /// Peaks may cost elements their angles down to this, in degrees.
 constexpr double LeastUniformAngle = 44.5;
 constexpr double LeastAdaptedAngle = 42.5;
@@ -99,7 +100,7 @@ public:
     this->stage(0.95, 1.0, &Finish::repair);
     if (this->Offset > 0.0)
     {
-      this->stage(1.0, 1.0, &Finish::land, runMoves); // the offset is a promise for vertices
+      this->stage(1.0, 1.0, &Finish::landOften, runMoves); // the offset is a promise for vertices
     }
     return { this->Surface.mesh(), this->coverage() };
   }
@@ -152,6 +153,15 @@ private:
   void land(EditableSurface& surface, const Execution& now) const
   {
     evolving::land(surface, this->reference(), now);
+  }
+
+  /// In valleys another place of the target is nearer than the one that a vertex has left.
+  void landOften(EditableSurface& surface, const Execution& now) const
+  {
+    for (int round = 0; round < LandingRounds; ++round)
+    {
+      this->land(surface, now);
+    }
   }
 
   void remesh(EditableSurface& surface, const Execution& now) const

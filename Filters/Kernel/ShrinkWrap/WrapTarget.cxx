@@ -39,9 +39,8 @@ constexpr double LeastArea = 1e-12;
 /// Openings narrower than this many edge lengths are closed: elements cannot line them.
 constexpr double NarrowEdges = 6.0;
 
-void requireUsable(const SurfaceMesh& mesh, const Box& box)
+void requireExtent(const Box& box)
 {
-  validate(mesh);
   if (box.isEmpty() || !(box.diagonal().norm() > 0.0))
   {
     throw InputError("The input is a single point or empty, expected a surface or points with an "
@@ -120,9 +119,10 @@ WrapTarget describeTarget(
   const SurfaceMesh& mesh, const ShrinkWrapOptions& options, const Execution& execution)
 {
   checkOptions(options);
+  validate(mesh);
   WrapTarget target;
   target.box = boundingBox(mesh);
-  requireUsable(mesh, target.box);
+  requireExtent(target.box);
   const bool isPointSet = mesh.faceCount() == 0;
   target.surface = isPointSet ? surfaceAmidst(mesh, options, execution.phase(0.0, 0.4))
                               : weldCoincidentPoints(mesh);

@@ -101,7 +101,7 @@ class ShrinkWrapShape : public testing::TestWithParam<Shape>
 {
 };
 
-/// To 0.1 % of the diagonal, at every vertex.
+/// To 0.01 % of the diagonal, at every vertex.
 TEST_P(ShrinkWrapShape, OffsetDistanceIsThatOfEveryVertex)
 {
   const SurfaceMesh& target = GetParam().mesh;
@@ -119,7 +119,7 @@ TEST_P(ShrinkWrapShape, OffsetDistanceIsThatOfEveryVertex)
       const double distance = std::sqrt(tree.closest(p).at.squaredDistance);
       largest = std::max(largest, std::abs(distance - offset));
     }
-    EXPECT_LT(largest, 0.001 * diagonal) << offset;
+    EXPECT_LT(largest, 0.0001 * diagonal) << offset;
   }
 }
 
