@@ -3,7 +3,8 @@
 
 #include "Distance/FloatBox.h"
 
-#include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 
 namespace evolving
@@ -12,16 +13,25 @@ namespace evolving
 namespace
 {
 
-/// One place of a float and a bit lower: as safe as std::nextafter(), and faster.
+/// The largest float that is not above; std::nextafter() would be a call.
 float roundedDown(double value)
 {
-  constexpr float Place = 1.2e-7F;
   const auto rounded = static_cast<float>(value);
-  if (std::isinf(rounded))
+  if (static_cast<double>(rounded) <= value)
   {
-    return value < 0.0 ? rounded : std::numeric_limits<float>::max();
+    return rounded;
   }
-  return rounded - (Place * std::abs(rounded) + std::numeric_limits<float>::denorm_min());
+  if (rounded == 0.0F)
+  {
+    return -std::numeric_limits<float>::denorm_min();
+  }
+  // Floats of one sign are in the order of their bits.
+  std::int32_t bits = 0;
+  std::memcpy(&bits, &rounded, sizeof bits);
+  bits += rounded > 0.0F ? -1 : 1;
+  float lower = 0.0F;
+  std::memcpy(&lower, &bits, sizeof lower);
+  return lower;
 }
 
 } // namespace

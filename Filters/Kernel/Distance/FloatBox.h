@@ -16,7 +16,7 @@ namespace evolving
 
 using FloatBox = Eigen::AlignedBox3f;
 
-/// A box of floats around a box of doubles, larger by little more than rounding.
+/// The smallest box of floats around a box of doubles.
 FloatBox roundedOutwards(const Box& box);
 
 } // namespace evolving
