@@ -23,7 +23,7 @@ namespace
 constexpr int UniformPasses = 10;
 /// More wear off the acute creases that are to be captured.
 constexpr int PassesBeforeCapture = 4;
-constexpr int CapturePasses = 10;
+constexpr int CapturePasses = 16;
 constexpr int SettleRounds = 2;
 constexpr int LandingRounds = 4;
 /// Peaks may cost elements their angles down to this, in degrees.
