@@ -5,7 +5,6 @@
 
 #include "Distance/AABBTree.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace evolving
@@ -23,6 +22,8 @@ void shrink(FloatBox& box, const Box& other, double margin)
   box = common.isEmpty() ? box : common;
 }
 
+} // namespace
+
 FloatBox boxAround(const TriangleReferences& references)
 {
   FloatBox box;
@@ -33,8 +34,6 @@ FloatBox boxAround(const TriangleReferences& references)
   return box;
 }
 
-} // namespace
-
 AABBSubtree AABBSubtreeBuilder::build(TriangleReferences references, int level)
 {
   this->Result = {};
@@ -42,20 +41,16 @@ AABBSubtree AABBSubtreeBuilder::build(TriangleReferences references, int level)
   return std::move(this->Result);
 }
 
-Box AABBSubtreeBuilder::boxOf(const TriangleReferences& references) const
-{
-  return this->inflated(boxAround(references));
-}
-
 Index AABBSubtreeBuilder::addNode(TriangleReferences& references, int level)
 {
   const auto node = static_cast<Index>(this->Result.nodes.size());
   this->Result.nodes.emplace_back();
-  this->Result.nodes.back().box = this->boxOf(references);
+  const FloatBox box = boxAround(references);
+  this->Result.nodes.back().box = this->inflated(box);
   this->Result.levels.push_back(static_cast<std::int8_t>(level));
   TriangleReferences left;
   TriangleReferences right;
-  if (!this->split(references, level, left, right))
+  if (!this->split(references, box, level, left, right))
   {
     this->fillLeaf(node, references);
     return node;
@@ -68,14 +63,13 @@ Index AABBSubtreeBuilder::addNode(TriangleReferences& references, int level)
   return node;
 }
 
-bool AABBSubtreeBuilder::split(const TriangleReferences& references, int level,
+bool AABBSubtreeBuilder::split(const TriangleReferences& references, const FloatBox& box, int level,
   TriangleReferences& left, TriangleReferences& right)
 {
   if (references.size() <= AABBTree::LargestLeaf || level >= AABBTree::MaximumDepth)
   {
     return false;
   }
-  const FloatBox box = boxAround(references);
   int axis = 0;
   const float length = box.sizes().maxCoeff(&axis);
   if (!(length > 0.0F))

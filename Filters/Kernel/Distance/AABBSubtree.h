@@ -29,6 +29,8 @@ struct TriangleReference
 };
 using TriangleReferences = std::vector<TriangleReference>;
 
+FloatBox boxAround(const TriangleReferences& references);
+
 /// What is below a node, numbered as if there were nothing else.
 struct AABBSubtree
 {
@@ -51,18 +53,17 @@ public:
 
   AABBSubtree build(TriangleReferences references, int level);
 
-  /// The inflated box of some references.
-  Box boxOf(const TriangleReferences& references) const;
-  /// Divides the references at the best split; false when there are few or it does not pay.
-  bool split(const TriangleReferences& references, int level, TriangleReferences& left,
-    TriangleReferences& right);
+  /// Divides the references in a box at the best split; false when there are few or it does not
+  /// pay.
+  bool split(const TriangleReferences& references, const FloatBox& box, int level,
+    TriangleReferences& left, TriangleReferences& right);
+  Box inflated(const FloatBox& box) const;
 
 private:
   Index addNode(TriangleReferences& references, int level);
   /// Shrinks the halves of a reference to its triangle's parts on the two sides of a plane.
   void clip(TriangleReference& left, TriangleReference& right, int axis, float position) const;
   void fillLeaf(Index node, const TriangleReferences& references);
-  Box inflated(const FloatBox& box) const;
 
   const std::vector<Triangle>& Triangles;
   double Epsilon;

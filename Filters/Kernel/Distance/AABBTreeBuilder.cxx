@@ -5,7 +5,6 @@
 
 #include "ParallelLoops.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace evolving
@@ -58,13 +57,13 @@ std::size_t AABBTreeBuilder::addUpper(TriangleReferences references, int level)
   const std::size_t number = this->Upper.size();
   this->Upper.emplace_back();
   this->Upper[number].level = level;
+  const FloatBox box = boxAround(references);
   TriangleReferences left;
   TriangleReferences right;
   if (level < UpperLevels && references.size() > WorthAThread &&
-    builder.split(references, level, left, right))
+    builder.split(references, box, level, left, right))
   {
-    this->Upper[number].box = builder.boxOf(references);
-    this->Upper[number].hasHalves = true;
+    this->Upper[number].box = builder.inflated(box);
     TriangleReferences().swap(references);
     const std::size_t leftNumber = this->addUpper(std::move(left), level + 1);
     const std::size_t rightNumber = this->addUpper(std::move(right), level + 1);
@@ -86,7 +85,7 @@ void AABBTreeBuilder::buildSubtrees()
       for (std::int64_t i = begin; i < end; ++i)
       {
         UpperNode& upper = this->Upper[static_cast<std::size_t>(i)];
-        if (!upper.hasHalves)
+        if (!upper.hasHalves())
         {
           AABBSubtreeBuilder builder(this->Tree.Triangles, this->Epsilon);
           upper.subtree = builder.build(std::move(upper.references), upper.level);
@@ -97,7 +96,7 @@ void AABBTreeBuilder::buildSubtrees()
 
 Index AABBTreeBuilder::append(const UpperNode& upper)
 {
-  if (!upper.hasHalves)
+  if (!upper.hasHalves())
   {
     return this->append(upper.subtree);
   }

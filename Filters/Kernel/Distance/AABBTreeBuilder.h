@@ -34,11 +34,12 @@ private:
   {
     Box box;
     int level = 0;
-    std::size_t left = 0;
+    std::size_t left = 0; ///< 0, the root, for none
     std::size_t right = 0;
-    bool hasHalves = false;
     TriangleReferences references; ///< of the subtree
     AABBSubtree subtree;
+
+    bool hasHalves() const { return this->left != 0; }
   };
 
   AABBTreeBuilder(AABBTree& tree, const Execution& execution);

@@ -48,7 +48,6 @@ public:
   /// @param terms one per face
   void assemble(const std::vector<FaceTerms>& terms, const Execution& execution);
 
-  const Matrix& matrix() const { return this->System; }
   Matrix& matrix() { return this->System; }
   const Eigen::VectorXd& rightSide() const { return this->RightSide; }
 

@@ -135,24 +135,36 @@ Index PeakFit::run(const PeakFitOptions& options)
   return moved;
 }
 
-/// One move per neighbourhood: the other samples' distances are out of date.
-Index PeakFit::runOnce(const PeakFitOptions& options)
+/// The farthest first.
+std::vector<std::size_t> PeakFit::peaks(const PeakFitOptions& options) const
 {
-  std::vector<std::pair<double, std::size_t>> peaks;
+  std::vector<std::pair<double, std::size_t>> byDistance;
   for (std::size_t s = 0; s < this->Distances.count(); ++s)
   {
     if (this->isPeak(s, options))
     {
-      peaks.emplace_back(-this->Distances.distance(s), s);
+      byDistance.emplace_back(-this->Distances.distance(s), s);
     }
   }
-  std::sort(peaks.begin(), peaks.end());
+  std::sort(byDistance.begin(), byDistance.end());
+  std::vector<std::size_t> peaks;
+  for (const auto& [distance, s] : byDistance)
+  {
+    peaks.push_back(s);
+  }
+  return peaks;
+}
+
+/// One move per neighbourhood: the other samples' distances are out of date.
+Index PeakFit::runOnce(const PeakFitOptions& options)
+{
+  const std::vector<std::size_t> peaks = this->peaks(options);
   std::vector<char> isDone(at(this->Surface.faceSlots()), 0);
   std::vector<int> tries(at(this->Surface.faceSlots()), 0);
   std::vector<char> hasMoved(peaks.size(), 0);
   const auto tryPeak = [&](std::size_t i)
   {
-    const std::size_t s = peaks[i].second;
+    const std::size_t s = peaks[i];
     const Index face = this->Distances.face(s);
     if (tries[at(face)]++ >= MostTries)
     {
@@ -178,8 +190,7 @@ Index PeakFit::runOnce(const PeakFitOptions& options)
   };
   runInOrder(
     peaks.size(),
-    [&](std::size_t i)
-    { return this->Distances.facesAround(this->Distances.face(peaks[i].second)); },
+    [&](std::size_t i) { return this->Distances.facesAround(this->Distances.face(peaks[i])); },
     this->Surface.faceSlots(), PeakGrain, tryPeak, this->Run);
   return static_cast<Index>(std::count(hasMoved.begin(), hasMoved.end(), 1));
 }

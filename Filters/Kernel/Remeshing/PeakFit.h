@@ -53,6 +53,7 @@ public:
 
 private:
   Index runOnce(const PeakFitOptions& options);
+  std::vector<std::size_t> peaks(const PeakFitOptions& options) const;
   bool isPeak(std::size_t s, const PeakFitOptions& options) const;
   bool approach(std::size_t s, const std::vector<Index>& faces, double leastAngle);
   double largestDistance(const std::vector<Index>& faces, double bound) const;

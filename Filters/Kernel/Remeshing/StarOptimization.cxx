@@ -21,10 +21,11 @@ namespace evolving
 namespace
 {
 
+constexpr double Diagonal = 0.70710678118654752440;
 /// In the tangent plane, counter-clockwise.
-const std::array<Eigen::Vector2d, 8> Directions = { { { 1.0, 0.0 }, { M_SQRT1_2, M_SQRT1_2 },
-  { 0.0, 1.0 }, { -M_SQRT1_2, M_SQRT1_2 }, { -1.0, 0.0 }, { -M_SQRT1_2, -M_SQRT1_2 }, { 0.0, -1.0 },
-  { M_SQRT1_2, -M_SQRT1_2 } } };
+const std::array<Eigen::Vector2d, 8> Directions = { { { 1.0, 0.0 }, { Diagonal, Diagonal },
+  { 0.0, 1.0 }, { -Diagonal, Diagonal }, { -1.0, 0.0 }, { -Diagonal, -Diagonal }, { 0.0, -1.0 },
+  { Diagonal, -Diagonal } } };
 /// The search begins with moves of this fraction of the size and halves them so often.
 constexpr double FirstMove = 0.15;
 constexpr int Halvings = 6;

@@ -37,10 +37,10 @@ Vec3 middleOfNeighbours(const EditableSurface& surface, Index v)
 {
   Vec3 sum = Vec3::Zero();
   double count = 0.0;
-  surface.forEachOutgoing(v,
-    [&](Index e)
+  surface.forEachNeighbour(v,
+    [&](Index u)
     {
-      sum += surface.point(surface.to(e));
+      sum += surface.point(u);
       count += 1.0;
     });
   return sum / count;

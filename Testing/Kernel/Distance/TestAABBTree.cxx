@@ -3,6 +3,7 @@
 
 #include "Distance/AABBTree.h"
 
+#include "AllTriangles.h"
 #include "DistanceShapes.h"
 #include "Errors.h"
 
@@ -80,14 +81,7 @@ TEST(AABBTree, FindsTheClosestOfAllTriangles)
     for (int n = 0; n < 1000; ++n)
     {
       const Vec3 point = random();
-      Index expected = NoIndex;
-      double smallest = std::numeric_limits<double>::infinity();
-      for (Index t = 0; t < tree.triangleCount(); ++t)
-      {
-        const double squared = MeasuredTriangle<double>(tree.triangle(t)).squaredDistance(point);
-        expected = squared < smallest ? t : expected;
-        smallest = std::min(smallest, squared);
-      }
+      const Index expected = closestOfAll(tree, point);
       const TrianglePoint at = closestPointOnTriangle(point, tree.triangle(expected));
       const ClosestTriangle found = tree.closest(point);
       ASSERT_EQ(found.triangle, expected) << shape.name;

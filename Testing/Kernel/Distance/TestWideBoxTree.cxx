@@ -3,12 +3,12 @@
 
 #include "Distance/WideBoxTree.h"
 
+#include "AllTriangles.h"
 #include "Distance/AABBTree.h"
 #include "DistanceShapes.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -25,20 +25,6 @@ SurfaceMesh placed(SurfaceMesh mesh, double scale, const Vec3& shift)
     point = scale * point + shift;
   }
   return mesh;
-}
-
-/// Tests all triangles.
-Index closestOfAll(const AABBTree& tree, const Vec3& point)
-{
-  Index closest = NoIndex;
-  double smallest = std::numeric_limits<double>::infinity();
-  for (Index t = 0; t < tree.triangleCount(); ++t)
-  {
-    const double squared = MeasuredTriangle<double>(tree.triangle(t)).squaredDistance(point);
-    closest = squared < smallest ? t : closest;
-    smallest = std::min(smallest, squared);
-  }
-  return closest;
 }
 
 TEST(BoxRow, GapsAreThoseOfEachBox)
