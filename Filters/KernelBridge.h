@@ -11,23 +11,23 @@
 #ifndef KernelBridge_h
 #define KernelBridge_h
 
-#include "Distance/AABBTree.h"
 #include "Distance/DistanceGrid.h"
-#include "Distance/DistanceOctree.h"
 #include "Distance/FloatRange.h"
 #include "Distance/SignedDistance.h"
+#include "Distance/Sweeping/DistanceOctree.h"
 #include "Errors.h"
-#include "Evolution/FlowSeries.h"
 #include "Evolution/ScalarImage.h"
+#include "Evolution/StateSeries.h"
 #include "Evolution/SurfaceFlow.h"
-#include "Evolution/SurfaceRedistribution.h"
 #include "Evolution/SurfaceRemesher.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
 #include "Mesh/TopologySummary.h"
+#include "Redistribution/SurfaceRedistribution.h"
 #include "ShrinkWrap/ShrinkWrap.h"
 #include "ShrinkWrap/SurfaceReport.h"
 #include "StartSurface/PrimitiveSurfaces.h"
+#include "Trees/AABBTree.h"
 
 #include "vtkSmartPointer.h"
 
@@ -98,7 +98,7 @@ void MoveWeldedPoints(
   const WeldedSurface& surface, const std::vector<evolving::Vec3>& points, vtkPolyData* output);
 
 /// The arrays of the welded vertices as arrays of the input's points, zero for unused ones.
-evolving::FlowArrays Unweld(const WeldedSurface& surface, const evolving::FlowArrays& arrays);
+evolving::StateArrays Unweld(const WeldedSurface& surface, const evolving::StateArrays& arrays);
 
 /// The input's arrays with no tuples, and no geometry: what ranks but the first write.
 void CopyWithoutTuples(vtkPolyData* input, vtkPolyData* output);

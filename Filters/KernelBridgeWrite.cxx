@@ -53,7 +53,7 @@ void MoveWeldedPoints(
 }
 
 //------------------------------------------------------------------------------
-evolving::FlowArrays Unweld(const WeldedSurface& surface, const evolving::FlowArrays& arrays)
+evolving::StateArrays Unweld(const WeldedSurface& surface, const evolving::StateArrays& arrays)
 {
   const auto spread = [&surface](const auto& values, const auto& zero)
   {
@@ -67,7 +67,7 @@ evolving::FlowArrays Unweld(const WeldedSurface& surface, const evolving::FlowAr
     return spreadValues;
   };
   const evolving::Vec3 zero = evolving::Vec3::Zero();
-  evolving::FlowArrays points;
+  evolving::StateArrays points;
   points.normal = spread(arrays.normal, zero);
   points.meanCurvature = spread(arrays.meanCurvature, 0.0);
   points.coVolume = spread(arrays.coVolume, 0.0);

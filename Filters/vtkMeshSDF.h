@@ -108,9 +108,10 @@ public:
   ///@{
   /**
    * How the closest triangle of a sample is found. CLOSEST_POINT (the default) is exact
-   * everywhere, to the rounding of floats: blocks of samples are searched together. FAST_SWEEPING freezes the octree's leaf
-   * cells at their exact distance and solves the eikonal equation (first order; cubic cells only).
-   * BRUTE_FORCE asks the AABB tree for every sample, in double: the reference, and slow.
+   * everywhere, to the rounding of floats: blocks of samples are searched together. FAST_SWEEPING
+   * freezes the octree's leaf cells at their exact distance and solves the eikonal equation (first
+   * order; cubic cells only). BRUTE_FORCE asks the AABB tree for every sample, in double: the
+   * reference, and slow.
    */
   vtkSetClampMacro(Method, int, CLOSEST_POINT, BRUTE_FORCE);
   vtkGetMacro(Method, int);

@@ -3,8 +3,9 @@
 
 #include "vtkShrinkWrap.h"
 
+#include "ContentStamp.h"
 #include "DistributedInput.h"
-#include "EvolutionSeries.h"
+#include "EvolutionOutput.h"
 #include "KernelBridge.h"
 #include "TimeSteps.h"
 
@@ -64,7 +65,7 @@ struct vtkShrinkWrap::Cache
 {
   ContentStamp Input;
   evolving::ShrinkWrapOptions Options;
-  std::unique_ptr<EvolutionSeries> Series;
+  std::unique_ptr<EvolutionOutput> Series;
   evolving::SurfaceReport Report;
   std::vector<std::string> Shortcomings;
 
@@ -193,7 +194,7 @@ int vtkShrinkWrap::RequestData(
       {
         this->Solve(input, execution);
       }
-      EvolutionSeries& series = *this->Solved->Series;
+      EvolutionOutput& series = *this->Solved->Series;
       series.WriteState(step, output, execution);
       series.WriteHistory(history);
       if (step + 1 == times.size())
@@ -229,7 +230,7 @@ void vtkShrinkWrap::Solve(vtkPolyData* input, const evolving::Execution& executi
       problem.start, problem.field, problem.remesher, problem.flow, host);
   };
   const int pointType = KernelBridge::PointType(input);
-  auto series = std::make_unique<EvolutionSeries>(pointType, true, makeFlow,
+  auto series = std::make_unique<EvolutionOutput>(pointType, true, makeFlow,
     PublishedIterations(options), SeriesBytes, execution.phase(0.3, 0.9));
   evolving::SurfaceMesh result =
     series->Mesh(PublishedIterations(options).size() - 1, execution.phase(0.9, 0.9));

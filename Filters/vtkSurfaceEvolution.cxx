@@ -3,8 +3,9 @@
 
 #include "vtkSurfaceEvolution.h"
 
+#include "ContentStamp.h"
 #include "DistributedInput.h"
-#include "EvolutionSeries.h"
+#include "EvolutionOutput.h"
 #include "KernelBridge.h"
 #include "TimeSteps.h"
 
@@ -52,7 +53,7 @@ struct vtkSurfaceEvolution::Cache
   ContentStamp Surface;
   ContentStamp Field;
   Parameters Used;
-  std::unique_ptr<EvolutionSeries> Series;
+  std::unique_ptr<EvolutionOutput> Series;
 
   /// Forgets the series unless it is the one of these inputs and parameters.
   void Check(vtkPolyData* surface, vtkImageData* field, const Parameters& parameters)
@@ -219,7 +220,7 @@ int vtkSurfaceEvolution::RequestData(
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<EvolutionSeries> vtkSurfaceEvolution::Solve(vtkPolyData* input, vtkImageData* field,
+std::unique_ptr<EvolutionOutput> vtkSurfaceEvolution::Solve(vtkPolyData* input, vtkImageData* field,
   const std::vector<int>& published, const evolving::Execution& execution)
 {
   const auto start = std::make_shared<const evolving::SurfaceMesh>(
@@ -233,7 +234,7 @@ std::unique_ptr<EvolutionSeries> vtkSurfaceEvolution::Solve(vtkPolyData* input, 
   const evolving::FlowOptions options = this->Options();
   const std::shared_ptr<evolving::Remesher> remesher = this->NewElements(*start);
   ++this->NumberOfSolves;
-  auto series = std::make_unique<EvolutionSeries>(
+  auto series = std::make_unique<EvolutionOutput>(
     KernelBridge::PointType(input), image != nullptr,
     [start, image, remesher, options](const evolving::Execution& host)
     { return evolving::SurfaceFlow(start, image, remesher, options, host); },

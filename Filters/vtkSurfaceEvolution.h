@@ -54,7 +54,7 @@
 #include <vector> // For the published iterations
 
 class DistributedInput;
-class EvolutionSeries;
+class EvolutionOutput;
 class vtkImageData;
 class vtkPolyData;
 
@@ -422,7 +422,7 @@ private:
 
   evolving::FlowOptions Options() const;
   std::shared_ptr<evolving::Remesher> NewElements(const evolving::SurfaceMesh& start) const;
-  std::unique_ptr<EvolutionSeries> Solve(vtkPolyData* input, vtkImageData* field,
+  std::unique_ptr<EvolutionOutput> Solve(vtkPolyData* input, vtkImageData* field,
     const std::vector<int>& published, const evolving::Execution& execution);
 
   double TimeStep = 0.03;

@@ -4,7 +4,7 @@
 #include "vtkTangentialRedistribution.h"
 
 #include "DistributedInput.h"
-#include "EvolutionSeries.h"
+#include "EvolutionOutput.h"
 #include "KernelBridge.h"
 
 #include "vtkInformation.h"

@@ -21,12 +21,6 @@ namespace evolving
 /// as a few thousand rows of a matrix product: smaller meshes are quicker on one thread.
 constexpr std::int64_t LoopGrain = 4096;
 
-/// A mesh index as the index of an array.
-inline std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// Calls body(i) for all i in [0, count).
 template <class Body>
 void forEachIndex(const Execution& execution, std::int64_t count, const Body& body)

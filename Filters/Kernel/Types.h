@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <cstddef>
 #include <cstdint>
 
 namespace evolving
@@ -31,6 +32,18 @@ using GridIndex = std::int64_t;
 
 /// "There is none": no opposite corner, no closest triangle.
 constexpr Index NoIndex = -1;
+
+///@{
+/// An index that is one, not NoIndex, as the index of an array.
+constexpr std::size_t at(Index i)
+{
+  return static_cast<std::size_t>(i);
+}
+constexpr std::size_t at(GridIndex i)
+{
+  return static_cast<std::size_t>(i);
+}
+///@}
 
 } // namespace evolving
 

@@ -15,7 +15,7 @@
 #include "Timing.h"
 #include "UmbrellaSmoothing.h"
 
-#include "Distance/AABBTree.h"
+#include "Trees/AABBTree.h"
 
 #include "vtkNew.h"
 #include "vtkSmoothPolyDataFilter.h"

@@ -13,9 +13,9 @@
 #include "StepSystems.h"
 #include "Timing.h"
 
-#include "Evolution/ConjugateGradients.h"
-#include "Evolution/Multigrid.h"
-#include "Evolution/PoissonSolver.h"
+#include "Algebra/ConjugateGradients.h"
+#include "Algebra/Multigrid.h"
+#include "Algebra/PoissonSolver.h"
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCholesky>

@@ -12,7 +12,7 @@
 #include "Report.h"
 #include "Timing.h"
 
-#include "Distance/SurfaceAreaSplit.h"
+#include "Trees/SurfaceAreaSplit.h"
 
 #include <algorithm>
 

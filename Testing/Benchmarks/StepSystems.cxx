@@ -3,9 +3,9 @@
 
 #include "StepSystems.h"
 
-#include "Evolution/ConjugateGradients.h"
-#include "Evolution/SurfaceGeometry.h"
-#include "Evolution/VolumeRedistribution.h"
+#include "Algebra/ConjugateGradients.h"
+#include "Operators/SurfaceGeometry.h"
+#include "Redistribution/VolumeRedistribution.h"
 
 namespace benchmark
 {

@@ -10,7 +10,7 @@
 #ifndef BENCHMARK_STEP_SYSTEMS_H
 #define BENCHMARK_STEP_SYSTEMS_H
 
-#include "Evolution/SparseMatrix.h"
+#include "Algebra/SparseMatrix.h"
 #include "Mesh/SurfaceMesh.h"
 
 #include <vector>

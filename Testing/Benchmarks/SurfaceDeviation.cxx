@@ -3,7 +3,7 @@
 
 #include "SurfaceDeviation.h"
 
-#include "Distance/AABBTree.h"
+#include "Trees/AABBTree.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,9 +10,9 @@
 #define BENCHMARK_SWEEPING_PARTS_H
 
 #include "Distance/DistanceGrid.h"
-#include "Distance/DistanceOctree.h"
-#include "Distance/FastSweeping.h"
 #include "Distance/SignedDistance.h"
+#include "Distance/Sweeping/DistanceOctree.h"
+#include "Distance/Sweeping/FastSweeping.h"
 #include "Mesh/SurfaceMesh.h"
 
 namespace benchmark

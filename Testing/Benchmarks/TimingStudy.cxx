@@ -14,12 +14,12 @@
 #include "SweepingParts.h"
 #include "Timing.h"
 
-#include "Distance/AABBTree.h"
 #include "Distance/ClosestPoint/ClosestOnGrid.h"
 #include "Distance/ClosestPoint/OrientedBoxTree.h"
 #include "Distance/ClosestTriangles.h"
 #include "Distance/DistanceTarget.h"
-#include "Distance/InsideOutside.h"
+#include "Distance/Signs/InsideOutside.h"
+#include "Trees/AABBTree.h"
 
 #include <limits>
 #include <memory>

@@ -10,8 +10,8 @@
 #ifndef BENCHMARK_UMBRELLA_SMOOTHING_H
 #define BENCHMARK_UMBRELLA_SMOOTHING_H
 
-#include "Distance/AABBTree.h"
 #include "Mesh/SurfaceMesh.h"
+#include "Trees/AABBTree.h"
 
 namespace benchmark
 {

@@ -17,21 +17,26 @@ import tempfile
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 CODE = (".h", ".cxx", ".hxx")
 # Headers of the module that its public ones may not include.
-PRIVATE_HEADERS = ("DistributedInput.h", "EvolutionSeries.h", "KernelBridge.h", "PartsOnRanks.h",
-                   "TimeSteps.h")
+PRIVATE_HEADERS = ("ContentStamp.h", "DistributedInput.h", "EvolutionOutput.h", "KernelBridge.h",
+                   "PartsOnRanks.h", "TimeSteps.h")
 
 # Which folders of the kernel a folder may include; its own and the root files always.
 KERNEL_ARROWS = {
     "": set(),
     "Mesh": set(),
-    "Distance": {"Mesh"},
-    "Features": {"Mesh", "Distance"},
-    "StartSurface": {"Mesh", "Distance"},
-    "Remeshing": {"Mesh", "Distance"},
-    "Evolution": {"Mesh", "Distance", "Remeshing"},
-    "FeatureCapture": {"Mesh", "Distance", "Features", "Remeshing"},
-    "ShrinkWrap": {"Mesh", "Distance", "Features", "StartSurface", "Remeshing", "FeatureCapture",
-                   "Evolution"},
+    "Trees": {"Mesh"},
+    "Algebra": set(),
+    "Operators": {"Mesh", "Algebra"},
+    "Distance": {"Mesh", "Trees"},
+    "Features": {"Mesh", "Trees", "Distance"},
+    "StartSurface": {"Mesh", "Trees", "Distance"},
+    "Remeshing": {"Mesh", "Trees", "Algebra", "Distance"},
+    "FeatureCapture": {"Mesh", "Trees", "Distance", "Features", "Remeshing"},
+    "Redistribution": {"Mesh", "Trees", "Algebra", "Operators"},
+    "Evolution": {"Mesh", "Trees", "Distance", "Algebra", "Operators", "Redistribution",
+                  "Remeshing"},
+    "ShrinkWrap": {"Mesh", "Trees", "Distance", "Features", "StartSurface", "Remeshing",
+                   "FeatureCapture", "Evolution"},
 }
 
 

@@ -9,9 +9,9 @@
 #ifndef EVOLVING_CLOSEST_TRIANGLES_H
 #define EVOLVING_CLOSEST_TRIANGLES_H
 
-#include "Distance/AABBTree.h"
 #include "Distance/DistanceGrid.h"
 #include "Execution.h"
+#include "Trees/AABBTree.h"
 #include "Types.h"
 
 #include <functional>

@@ -4,8 +4,8 @@
 #include "Distance/DistanceGradient.h"
 
 #include "Distance/ClosestTriangles.h"
-#include "Distance/Pseudonormals.h"
-#include "Distance/TriangleGeometry.h"
+#include "Distance/Signs/Pseudonormals.h"
+#include "Trees/TriangleGeometry.h"
 
 #include <algorithm>
 

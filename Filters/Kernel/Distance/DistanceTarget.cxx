@@ -4,8 +4,8 @@
 #include "Distance/DistanceTarget.h"
 
 #include "Distance/FloatRange.h"
-#include "Distance/PolygonTriangulation.h"
 #include "Errors.h"
+#include "Mesh/PolygonTriangulation.h"
 
 #include <algorithm>
 #include <array>
@@ -17,11 +17,6 @@ namespace evolving
 
 namespace
 {
-
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// The numbers 0 ... count - 1 without those whose key is that of a smaller number, ascending.
 template <typename Key>

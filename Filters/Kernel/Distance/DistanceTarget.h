@@ -9,7 +9,7 @@
 #ifndef EVOLVING_DISTANCE_TARGET_H
 #define EVOLVING_DISTANCE_TARGET_H
 
-#include "Distance/OutwardOrientation.h"
+#include "Distance/Signs/OutwardOrientation.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
 #include "Types.h"

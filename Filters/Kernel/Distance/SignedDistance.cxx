@@ -3,17 +3,17 @@
 
 #include "Distance/SignedDistance.h"
 
-#include "Distance/AABBTree.h"
 #include "Distance/ClosestPoint/ClosestOnGrid.h"
 #include "Distance/ClosestTriangles.h"
 #include "Distance/DistanceGradient.h"
 #include "Distance/DistanceTarget.h"
 #include "Distance/GaussianSmoothing.h"
-#include "Distance/InsideOutside.h"
-#include "Distance/PseudonormalSign.h"
 #include "Distance/SignedDistanceChecks.h"
+#include "Distance/Signs/InsideOutside.h"
+#include "Distance/Signs/PseudonormalSign.h"
 #include "Distance/UnsignedDistance.h"
 #include "Errors.h"
+#include "Trees/AABBTree.h"
 
 #include <algorithm>
 #include <limits>
@@ -71,7 +71,7 @@ public:
     , Whole(grid)
     , Options(options)
     , Sign(sign)
-    , Host(execution)
+    , Run(execution)
   {
     this->Whole.origin -= target.center;
   }
@@ -79,17 +79,17 @@ public:
   SignedDistanceResult run(const Extent& part)
   {
     const DistanceGrid grid = this->Whole.part(this->workingExtent(part));
-    UnsignedDistance field = this->measure(grid, this->Host.phase(0.0, 0.8));
+    UnsignedDistance field = this->measure(grid, this->Run.phase(0.0, 0.8));
     const std::vector<char> inside =
-      samplesInside(this->Sign, this->Target, grid, field, this->Host.phase(0.8, 0.9));
+      samplesInside(this->Sign, this->Target, grid, field, this->Run.phase(0.8, 0.9));
     this->applySigns(inside, field.distance);
     smoothGaussian(field.distance, { grid.dimension(0), grid.dimension(1), grid.dimension(2) },
-      this->Options.smoothingSigma, this->Host.phase(0.9, 0.94));
+      this->Options.smoothingSigma, this->Run.phase(0.9, 0.94));
     SignedDistanceResult result;
     this->fillArrays(result, grid, part, field, inside);
     result.distance = cut(std::move(field.distance), 1, grid, part);
     this->clampToBand(result.distance);
-    this->Host.report(1.0);
+    this->Run.report(1.0);
     return result;
   }
 
@@ -181,7 +181,7 @@ private:
 
   void applySigns(const std::vector<char>& inside, std::vector<float>& distance) const
   {
-    this->Host.forRange(static_cast<std::int64_t>(inside.size()), SampleGrain,
+    this->Run.forRange(static_cast<std::int64_t>(inside.size()), SampleGrain,
       [&](std::int64_t begin, std::int64_t end)
       {
         for (auto s = static_cast<std::size_t>(begin); s < static_cast<std::size_t>(end); ++s)
@@ -195,8 +195,8 @@ private:
   void fillArrays(SignedDistanceResult& result, const DistanceGrid& grid, const Extent& part,
     const UnsignedDistance& field, const std::vector<char>& inside) const
   {
-    const Execution first = this->Host.phase(0.94, 0.97);
-    const Execution last = this->Host.phase(0.97, 1.0);
+    const Execution first = this->Run.phase(0.94, 0.97);
+    const Execution last = this->Run.phase(0.97, 1.0);
     const SurfaceMesh& mesh = this->Target.mesh;
     if (this->Options.closestFace)
     {
@@ -236,7 +236,7 @@ private:
   DistanceGrid Whole; ///< relative to the target's centre
   const SignedDistanceOptions& Options;
   SignMethod Sign;
-  Execution Host;
+  Execution Run;
 };
 
 } // namespace

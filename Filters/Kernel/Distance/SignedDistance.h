@@ -11,6 +11,7 @@
 #define EVOLVING_SIGNED_DISTANCE_H
 
 #include "Distance/DistanceGrid.h"
+#include "Distance/SignedDistanceOptions.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
 
@@ -19,34 +20,6 @@
 
 namespace evolving
 {
-
-enum class DistanceMethod
-{
-  ClosestPoint = 0, ///< exact: blocks of samples searched together over a tree of boxes
-  FastSweeping = 1, ///< section 5.3: octree cells frozen at their distance, Godunov sweeps
-  BruteForce = 2,   ///< the reference: every sample by a query of the AABB tree, in double
-};
-
-enum class SignMethod
-{
-  Automatic = 0,
-  FloodFill = 1,
-  WindingNumber = 2,
-  Pseudonormal = 3,
-  Unsigned = 4,
-};
-
-struct SignedDistanceOptions
-{
-  DistanceMethod method = DistanceMethod::ClosestPoint;
-  SignMethod sign = SignMethod::Automatic;
-  double bandWidth = 0.0;      ///< in cells; 0 = the whole grid; beyond it the value is +-band
-  double smoothingSigma = 0.0; ///< of a Gaussian, in cells; 0 = none
-  int numberOfSweeps = 8;      ///< FastSweeping only
-  bool closestPoint = false;   ///< fill DistanceResult::closestPoint
-  bool closestFace = false;    ///< fill DistanceResult::closestFace
-  bool gradient = false;       ///< fill DistanceResult::gradient
-};
 
 /// One entry per sample of the asked extent, x fastest.
 struct SignedDistanceResult
@@ -69,7 +42,8 @@ struct SignedDistanceResult
 SignedDistanceResult signedDistance(const SurfaceMesh& mesh, const DistanceGrid& grid,
   const Extent& part, const SignedDistanceOptions& options, const Execution& execution = {});
 
-/// What a sample of the computed part costs at most, beyond the mesh, with its result copied once.
+/// Bytes that a sample of the computed part takes at most, beyond the mesh: while it is computed,
+/// and once more for the copy of its result.
 int peakBytesPerSample(const SignedDistanceOptions& options);
 
 /// Can `part` be computed without the rest of the grid? Not with sweeps or flood fill.

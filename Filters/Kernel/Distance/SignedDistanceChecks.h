@@ -10,7 +10,7 @@
 #define EVOLVING_SIGNED_DISTANCE_CHECKS_H
 
 #include "Distance/DistanceGrid.h"
-#include "Distance/SignedDistance.h"
+#include "Distance/SignedDistanceOptions.h"
 
 namespace evolving
 {

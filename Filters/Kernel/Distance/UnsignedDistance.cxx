@@ -4,8 +4,8 @@
 #include "Distance/UnsignedDistance.h"
 
 #include "Distance/ClosestTriangles.h"
-#include "Distance/DistanceOctree.h"
-#include "Distance/FastSweeping.h"
+#include "Distance/Sweeping/DistanceOctree.h"
+#include "Distance/Sweeping/FastSweeping.h"
 
 #include <cmath>
 #include <utility>
@@ -15,11 +15,6 @@ namespace evolving
 
 namespace
 {
-
-std::size_t at(GridIndex i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// The way to triangles outside the grid leads past the grid's faces.
 void freezeBoundary(

@@ -9,10 +9,10 @@
 #ifndef EVOLVING_UNSIGNED_DISTANCE_H
 #define EVOLVING_UNSIGNED_DISTANCE_H
 
-#include "Distance/AABBTree.h"
 #include "Distance/DistanceGrid.h"
 #include "Distance/DistanceTarget.h"
 #include "Execution.h"
+#include "Trees/AABBTree.h"
 #include "Types.h"
 
 #include <vector>

@@ -16,18 +16,18 @@ EvolvingSurface::EvolvingSurface(std::shared_ptr<const SurfaceMesh> start,
   std::shared_ptr<const ScalarImage> field, std::shared_ptr<Remesher> remesher,
   const FlowSetup& setup, const Execution& execution)
   : Setup(setup)
-  , Check(*start, field ? field->box() : Box(), setup.options.surfaceGuard)
-  , Field(std::move(field), setup.options, execution)
+  , Guard(*start, field ? field->box() : Box(), setup.options.surfaceGuard)
+  , Field(std::make_unique<ControlField>(std::move(field), setup.options, execution))
   , NewElements(std::move(remesher))
 {
   this->setElements(std::move(start), execution);
-  this->SmallestComponent = this->Stepper->smallestComponentArea();
+  this->SmallestComponent = this->Motion->smallestComponentArea();
 }
 
 void EvolvingSurface::setElements(
   std::shared_ptr<const SurfaceMesh> origin, const Execution& execution)
 {
-  this->Stepper = std::make_unique<FlowStepper>(*origin, this->Field, this->Setup.options,
+  this->Motion = std::make_unique<VertexMotion>(*origin, *this->Field, this->Setup.options,
     this->Setup.size, this->Setup.parts.timeStep, this->SmallestComponent, execution);
   this->Origin = std::move(origin);
   this->HasVelocities = false;
@@ -40,7 +40,7 @@ void EvolvingSurface::setPlace(const SurfacePlace& place, const Execution& execu
     this->setElements(place.origin, execution);
   }
   this->Origin = place.origin; // states that have it share it again
-  this->Stepper->setPosition(place.position);
+  this->Motion->setPosition(place.position);
   this->HasVelocities = false;
 }
 
@@ -50,15 +50,15 @@ void EvolvingSurface::evaluate(int iteration, const Execution& execution)
   if (o.isSmoothing(iteration))
   {
     const int k = iteration - o.numberOfSteps;
-    this->Stepper->evaluateSmoothing(
+    this->Motion->evaluateSmoothing(
       smoothingControl(o.smoothingSpeed, o.smoothingDecay, k), execution);
   }
   else
   {
-    this->Stepper->evaluateFlow(execution);
+    this->Motion->evaluateFlow(execution);
   }
   this->HasVelocities = true;
-  this->SolverIterations += this->Stepper->evaluationIterations();
+  this->SolverIterations += this->Motion->evaluationIterations();
 }
 
 void EvolvingSurface::move(int iteration, int parts, const Execution& execution)
@@ -75,10 +75,10 @@ void EvolvingSurface::move(int iteration, int parts, const Execution& execution)
       this->evaluate(iteration, now.phase(0.0, 0.5));
     }
     this->HasVelocities = false;
-    this->Stepper->advance(tau, now.phase(0.5, 1.0));
-    this->SolverIterations += this->Stepper->advanceIterations();
-    this->Check.require(this->mesh(), now);
-    this->Stepper->limitLastMove(before, now);
+    this->Motion->advance(tau, now.phase(0.5, 1.0));
+    this->SolverIterations += this->Motion->advanceIterations();
+    this->Guard.require(this->mesh(), now);
+    this->Motion->limitLastMove(before, now);
   }
 }
 
@@ -89,7 +89,7 @@ void EvolvingSurface::remesh(bool isLast, const Execution& execution)
     return;
   }
   const std::vector<double> distance =
-    this->Field.valuesAt(this->mesh().points, execution.phase(0.0, 0.1));
+    this->Field->valuesAt(this->mesh().points, execution.phase(0.0, 0.1));
   std::optional<SurfaceMesh> remeshed = this->NewElements->remesh(
     { this->mesh(), this->Origin->points, distance, isLast }, execution.phase(0.1, 0.8));
   if (!remeshed)
@@ -107,7 +107,7 @@ void EvolvingSurface::remesh(bool isLast, const Execution& execution)
     throw SolverError(
       std::string("remeshing made no surface that can be evolved: ") + error.what());
   }
-  this->Check.require(this->mesh(), execution.phase(0.9, 1.0));
+  this->Guard.require(this->mesh(), execution.phase(0.9, 1.0));
 }
 
 } // namespace evolving

@@ -11,10 +11,9 @@
 
 #include "Evolution/ControlFunctions.h"
 #include "Evolution/FlowSetup.h"
-#include "Evolution/FlowStepper.h"
 #include "Evolution/Remesher.h"
-#include "Evolution/StateCheck.h"
-#include "Evolution/SurfaceFlow.h"
+#include "Evolution/SurfaceGuard.h"
+#include "Evolution/VertexMotion.h"
 #include "Execution.h"
 
 #include <memory>
@@ -31,7 +30,7 @@ struct SurfacePlace
 };
 
 /**
- * Owns the stepper of the current elements, and replaces it when they change: reference normals,
+ * Owns the motion of the current elements, and replaces it when they change: reference normals,
  * boundary curves and components are those of the new surface, and the solvers start afresh.
  * What belongs to the run stays: the field, the guard's box and the smallest area that counts.
  */
@@ -47,11 +46,11 @@ public:
     std::shared_ptr<const ScalarImage> field, std::shared_ptr<Remesher> remesher,
     const FlowSetup& setup, const Execution& execution);
 
-  const SurfaceMesh& mesh() const { return this->Stepper->mesh(); }
+  const SurfaceMesh& mesh() const { return this->Motion->mesh(); }
   /// Of the last evaluation.
-  FlowArrays arrays() const { return this->Stepper->arrays(); }
+  StateArrays arrays() const { return this->Motion->arrays(); }
 
-  SurfacePlace place() const { return { this->Origin, this->Stepper->position() }; }
+  SurfacePlace place() const { return { this->Origin, this->Motion->position() }; }
   void setPlace(const SurfacePlace& place, const Execution& execution);
 
   /// Computes the velocities of the step after an iteration. @throws SolverError, Cancelled
@@ -74,13 +73,13 @@ private:
   void setElements(std::shared_ptr<const SurfaceMesh> origin, const Execution& execution);
 
   FlowSetup Setup;
-  StateCheck Check;
-  ControlField Field;
+  SurfaceGuard Guard;
+  std::unique_ptr<const ControlField> Field; ///< at one place: the motion refers to it
   std::shared_ptr<Remesher> NewElements;
   std::shared_ptr<const SurfaceMesh> Origin;
   double SmallestComponent = 0.0; ///< area of one at the start
-  std::unique_ptr<FlowStepper> Stepper;
-  bool HasVelocities = false; ///< the stepper's are those of its position
+  std::unique_ptr<VertexMotion> Motion;
+  bool HasVelocities = false; ///< the motion's are those of its position
   int SolverIterations = 0;
 };
 

@@ -3,11 +3,13 @@
 
 /**
  * @file
- * The parameters of an evolution and of its tangential velocities.
+ * The parameters of an evolution.
  */
 
 #ifndef EVOLVING_FLOW_OPTIONS_H
 #define EVOLVING_FLOW_OPTIONS_H
+
+#include "Redistribution/RedistributionOptions.h"
 
 namespace evolving
 {
@@ -18,54 +20,6 @@ enum class FieldMode
   DistanceField = 0, ///< signed distance, the flow of section 3.2, (3.7) to (3.9)
   EdgeDetector = 1,  ///< an image I, or e itself when edgeSharpness is 0
 };
-
-/// What the volume-based redistribution makes the co-volumes proportional to: 1 / f(H), (3.21).
-enum class CurvatureControl
-{
-  None = 0, ///< f = 1: uniform
-  CubeRoot = 1,
-  TwoThirds = 2,
-  Exponential = 3,
-};
-
-/// What the angle-based redistribution does.
-enum class AngleMethod
-{
-  WeightedEdges = 0, ///< (3.24)
-  Shape = 1,         ///< the best place between the neighbours, see ElementShape
-};
-
-/// Section 6.2's cure for the accumulation of vertices by the angle-based velocity.
-enum class AngleWeighting
-{
-  None = 0,
-  InverseArea = 1,
-  Distance = 2,
-};
-
-/// What boundary vertices may do.
-enum class BoundaryMode
-{
-  Fixed = 0,
-  SlideAlong = 1, ///< along the boundary curve only; corners stay
-  Free = 2,
-};
-
-/// Rates of the tangential velocities, 1/time; 0 switches a term off (section 3.3).
-struct RedistributionOptions
-{
-  double volume = 0.0;
-  double angle = 0.0;
-  double length = 0.0;
-  AngleMethod angleMethod = AngleMethod::WeightedEdges;
-  AngleWeighting angleWeighting = AngleWeighting::None;
-  CurvatureControl curvatureControl = CurvatureControl::None;
-  double curvatureControlAlpha = 1.0; ///< length, or fraction of L in relative units
-
-  bool isActive() const { return this->volume > 0.0 || this->angle > 0.0 || this->length > 0.0; }
-};
-
-bool operator==(const RedistributionOptions& a, const RedistributionOptions& b);
 
 struct FlowOptions
 {
@@ -107,7 +61,6 @@ bool operator==(const FlowOptions& a, const FlowOptions& b);
  * least 1.
  */
 void checkOptions(const FlowOptions& options);
-void checkOptions(const RedistributionOptions& options);
 
 /**
  * The options with all lengths in the input's unit: C1, S0 and C2 times L^2 and alpha times L.

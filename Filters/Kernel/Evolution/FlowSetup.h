@@ -11,8 +11,8 @@
 
 #include "Evolution/FlowOptions.h"
 #include "Evolution/ScalarImage.h"
-#include "Evolution/SubSteps.h"
 #include "Mesh/SurfaceMesh.h"
+#include "Redistribution/SubSteps.h"
 
 namespace evolving
 {

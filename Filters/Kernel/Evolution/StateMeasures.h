@@ -9,7 +9,7 @@
 #ifndef EVOLVING_STATE_MEASURES_H
 #define EVOLVING_STATE_MEASURES_H
 
-#include "Evolution/SurfaceFlow.h"
+#include "Evolution/FlowState.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
 
@@ -22,11 +22,8 @@ namespace evolving
  * @param center that the volume of an open surface is measured from
  * @param arrays coVolume and distance are read
  */
-void measureState(const SurfaceMesh& mesh, const Vec3& center, const FlowArrays& arrays,
+void measureState(const SurfaceMesh& mesh, const Vec3& center, const StateArrays& arrays,
   FlowRecord& record, const Execution& execution);
-
-/// The smallest corner angle of all faces in degrees; 0 when an edge has no length.
-double smallestCornerAngle(const SurfaceMesh& mesh, const Execution& execution);
 
 } // namespace evolving
 

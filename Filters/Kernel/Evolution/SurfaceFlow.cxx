@@ -3,25 +3,25 @@
 
 #include "Evolution/SurfaceFlow.h"
 
-#include "Evolution/FlowRun.h"
-#include "Evolution/FlowSetup.h"
+#include "Errors.h"
+#include "Evolution/StateMeasures.h"
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <sstream>
 #include <utility>
 
 namespace evolving
 {
 
-struct SurfaceFlow::State : public FlowRun
+namespace
 {
-  using FlowRun::FlowRun;
-};
 
-SurfaceMesh FlowState::mesh() const
-{
-  SurfaceMesh mesh = *this->origin;
-  mesh.points = this->points;
-  return mesh;
-}
+/// A step that fails is tried again in 2, 4, 8 and 16 times as many parts.
+constexpr int MostHalvings = 4;
+
+} // namespace
 
 SurfaceFlow::SurfaceFlow(SurfaceMesh start, std::shared_ptr<const ScalarImage> field,
   const FlowOptions& options, const Execution& execution)
@@ -33,69 +33,225 @@ SurfaceFlow::SurfaceFlow(SurfaceMesh start, std::shared_ptr<const ScalarImage> f
 SurfaceFlow::SurfaceFlow(std::shared_ptr<const SurfaceMesh> start,
   std::shared_ptr<const ScalarImage> field, std::shared_ptr<Remesher> remesher,
   const FlowOptions& options, const Execution& execution)
+  : Setup(setUpFlow(*start, field.get(), options))
+  , Run(execution)
+  , Center(boundingBox(*start).center())
+  , Surface(std::move(start), std::move(field), std::move(remesher), this->Setup,
+      execution.phase(0.0, 0.0))
 {
-  const FlowSetup setup = setUpFlow(*start, field.get(), options);
-  this->Self =
-    std::make_unique<State>(start, std::move(field), std::move(remesher), setup, execution);
+  try
+  {
+    this->evaluate(execution.phase(0.0, 0.0));
+  }
+  catch (const SolverError& error)
+  {
+    throw InputError(std::string("The start surface cannot be evolved: ") + error.what());
+  }
+  this->hasStalled(); // looks at the start
 }
-
-SurfaceFlow::~SurfaceFlow() = default;
-SurfaceFlow::SurfaceFlow(SurfaceFlow&&) noexcept = default;
-SurfaceFlow& SurfaceFlow::operator=(SurfaceFlow&&) noexcept = default;
 
 int SurfaceFlow::totalSteps() const
 {
-  return this->Self->totalSteps();
+  return this->Setup.options.numberOfSteps + this->Setup.options.smoothingSteps;
 }
 
 bool SurfaceFlow::isFinished() const
 {
-  return this->Self->isFinished();
+  return !this->StopReason.empty() || this->Record.iteration >= this->totalSteps() ||
+    (this->Converged && this->Setup.options.smoothingSteps == 0);
 }
 
-bool SurfaceFlow::hasConverged() const
+bool SurfaceFlow::isSmoothing() const
 {
-  return this->Self->hasConverged();
+  return this->Setup.options.isSmoothing(this->Record.iteration);
 }
 
-const std::string& SurfaceFlow::stopReason() const
+/// Progress and stop requests of the next step.
+Execution SurfaceFlow::stepExecution() const
 {
-  return this->Self->stopReason();
+  const double total = std::max(1, this->totalSteps());
+  return this->Run.phase(this->Record.iteration / total, (this->Record.iteration + 1) / total);
+}
+
+/// Velocities for the step after the current state, and the state's arrays and numbers.
+void SurfaceFlow::evaluate(const Execution& execution)
+{
+  this->Surface.evaluate(this->Record.iteration, execution);
+  this->Arrays = this->Surface.arrays();
+  this->Record.solverIterations = this->Surface.solverIterations();
+  measureState(this->mesh(), this->Center, this->Arrays, this->Record, this->Run);
 }
 
 void SurfaceFlow::step()
 {
-  this->Self->step();
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  if (this->isFinished())
+  {
+    return;
+  }
+  this->Surface.resetSolverIterations();
+  if (this->Converged && !this->isSmoothing())
+  {
+    this->repeatState();
+  }
+  else
+  {
+    this->stepOrStop();
+  }
+  this->Record.seconds = std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-const SurfaceMesh& SurfaceFlow::mesh() const
+void SurfaceFlow::stepOrStop()
 {
-  return this->Self->mesh();
+  std::string failure;
+  for (int halvings = 0; halvings <= MostHalvings; ++halvings)
+  {
+    // Progress never goes back: that of the first try stands.
+    const Execution all = this->stepExecution();
+    failure =
+      this->tryStep(this->Setup.parts.count << halvings, halvings == 0 ? all : all.phase(1.0, 1.0));
+    if (failure.empty())
+    {
+      return;
+    }
+  }
+  std::ostringstream message;
+  message << "The evolution ended before step " << this->Record.iteration + 1 << ": " << failure;
+  this->StopReason = message.str();
+  this->tidyLastState();
 }
 
-const FlowArrays& SurfaceFlow::arrays() const
+/// The state before the step that failed is the last one; it stays as it is when that fails, too.
+void SurfaceFlow::tidyLastState()
 {
-  return this->Self->arrays();
+  const SurfacePlace place = this->Surface.place();
+  const FlowRecord record = this->Record;
+  try
+  {
+    const Execution now = this->stepExecution().phase(1.0, 1.0);
+    this->Surface.remesh(true, now);
+    this->evaluate(now);
+  }
+  catch (const SolverError&)
+  {
+    this->Surface.setPlace(place, Execution());
+    this->Record = record;
+  }
 }
 
-const FlowRecord& SurfaceFlow::record() const
+/// Returns why the step failed, and undoes it then; empty when it did not.
+std::string SurfaceFlow::tryStep(int parts, const Execution& execution)
 {
-  return this->Self->record();
+  const SurfacePlace placeBefore = this->Surface.place();
+  const FlowRecord recordBefore = this->Record;
+  const auto undo = [&]()
+  {
+    this->Surface.setPlace(placeBefore, Execution());
+    this->Record = recordBefore;
+  };
+  this->Surface.resetSolverIterations();
+  try
+  {
+    this->Surface.move(this->Record.iteration, parts, execution.phase(0.0, 0.9));
+    this->arrive(placeBefore.position.points, execution.phase(0.9, 1.0));
+    return {};
+  }
+  catch (const SolverError& error)
+  {
+    undo();
+    return error.what();
+  }
+  catch (...)
+  {
+    undo();
+    throw;
+  }
+}
+
+/// The surface is where the step ends: gives it new elements, and looks whether it is there.
+void SurfaceFlow::arrive(const std::vector<Vec3>& before, const Execution& execution)
+{
+  const bool isTowardsTarget = !this->isSmoothing();
+  const bool hasStopped = isTowardsTarget && this->hasStoppedMoving(before);
+  this->countIteration();
+  const bool isLast = hasStopped || this->Record.iteration == this->totalSteps();
+  const bool isRenewed = isLast || this->isRemeshingDue();
+  if (isRenewed)
+  {
+    this->Surface.remesh(isLast, execution.phase(0.0, 0.4));
+  }
+  this->evaluate(execution.phase(0.4, 0.5));
+  const bool isStuck = isTowardsTarget && isRenewed && this->hasStalled();
+  if (isStuck && !isLast)
+  {
+    this->Surface.remesh(true, execution.phase(0.5, 0.9));
+    this->evaluate(execution.phase(0.9, 1.0));
+  }
+  this->Converged = this->Converged || hasStopped || isStuck;
+}
+
+bool SurfaceFlow::hasStoppedMoving(const std::vector<Vec3>& before) const
+{
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < before.size(); ++i)
+  {
+    const Vec3 move = this->mesh().points[i] - before[i];
+    farthest = std::max(farthest, std::abs(move.dot(this->Arrays.normal[i])));
+  }
+  return farthest < this->Setup.options.convergenceTolerance * this->Setup.size;
+}
+
+bool SurfaceFlow::isRemeshingDue() const
+{
+  return this->Record.iteration % this->Setup.options.remeshingInterval == 0;
+}
+
+/// Intensities of an edge detector are no distances.
+bool SurfaceFlow::hasStalled()
+{
+  const FlowOptions& o = this->Setup.options;
+  const bool hasDistances =
+    o.fieldMode == FieldMode::DistanceField && !this->Arrays.distance.empty();
+  return hasDistances && o.stallSteps > 0 &&
+    this->Stall.hasStalled(this->Record.iteration, this->Record.maxDistance, o.stallSteps);
+}
+
+/// A converged state waits for the smoothing steps.
+void SurfaceFlow::repeatState()
+{
+  this->stepExecution().report(0.0);
+  this->countIteration();
+  this->Record.solverIterations = 0;
+  if (this->isSmoothing())
+  {
+    this->evaluate(this->stepExecution());
+  }
+}
+
+void SurfaceFlow::countIteration()
+{
+  ++this->Record.iteration;
+  this->Record.time = this->Record.iteration * this->Setup.options.timeStep;
 }
 
 FlowState SurfaceFlow::state() const
 {
-  return this->Self->state();
+  SurfacePlace place = this->Surface.place();
+  return { std::move(place.origin), std::move(place.position.points),
+    std::move(place.position.onCurves), this->Arrays, this->Record, this->Stall, this->Converged };
 }
 
 void SurfaceFlow::resume(const FlowState& state)
 {
-  this->Self->resume(state);
-}
-
-double SurfaceFlow::lengthUnit() const
-{
-  return this->Self->lengthUnit();
+  this->Record = state.record;
+  this->Surface.setPlace(
+    { state.origin, { state.points, state.curvePositions } }, this->stepExecution());
+  this->Stall = state.stall;
+  this->Converged = state.hasConverged;
+  this->StopReason.clear();
+  this->evaluate(this->stepExecution());
+  this->Record = state.record;
 }
 
 } // namespace evolving

@@ -10,12 +10,16 @@
 #ifndef EVOLVING_SURFACE_FLOW_H
 #define EVOLVING_SURFACE_FLOW_H
 
+#include "Evolution/EvolvingSurface.h"
 #include "Evolution/FlowOptions.h"
+#include "Evolution/FlowSetup.h"
+#include "Evolution/FlowState.h"
 #include "Evolution/Remesher.h"
 #include "Evolution/ScalarImage.h"
 #include "Evolution/StallTest.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
+#include "Redistribution/StateArrays.h"
 
 #include <memory>
 #include <string>
@@ -23,50 +27,6 @@
 
 namespace evolving
 {
-
-/// One value per vertex (or 3), as they were used to compute the step *after* the state.
-struct FlowArrays
-{
-  std::vector<double> distance;       ///< the field's value; empty without a field
-  std::vector<Vec3> distanceGradient; ///< normalized; empty without a field
-  std::vector<Vec3> normal;
-  std::vector<double> meanCurvature; ///< -h.N: +2/r on a sphere
-  std::vector<double> coVolume;
-  std::vector<double> normalVelocity; ///< epsilon h.N + eta
-  std::vector<Vec3> tangentialVelocity;
-  std::vector<double> redistributionPotential; ///< psi
-};
-
-/// The numbers of one step: the field arrays and a row of the history.
-struct FlowRecord
-{
-  int iteration = 0;
-  double time = 0.0;
-  double area = 0.0;
-  double volume = 0.0;
-  double meanDistance = 0.0; ///< of |d| over the surface; 0 without a field
-  double maxDistance = 0.0;
-  double minAngle = 0.0; ///< degrees
-  int solverIterations = 0;
-  double seconds = 0.0; ///< wall time of the step
-};
-
-/// A state of the flow with all that belongs to it.
-struct FlowState
-{
-  /// The surface when it got its elements: the start, or as it was last remeshed. All states until
-  /// the next remeshing share it.
-  std::shared_ptr<const SurfaceMesh> origin;
-  std::vector<Vec3> points;
-  std::vector<double> curvePositions; ///< of boundary vertices that slide: for resume() only
-  FlowArrays arrays;
-  FlowRecord record;
-  StallTest stall; ///< for resume() only
-  bool hasConverged = false;
-
-  /// The origin's faces at the state's points.
-  SurfaceMesh mesh() const;
-};
 
 /**
  * Steps a surface through time. The connectivity stays, and the sparse pattern is analysed once,
@@ -90,9 +50,6 @@ public:
   SurfaceFlow(std::shared_ptr<const SurfaceMesh> start, std::shared_ptr<const ScalarImage> field,
     std::shared_ptr<Remesher> remesher, const FlowOptions& options,
     const Execution& execution = {});
-  ~SurfaceFlow();
-  SurfaceFlow(SurfaceFlow&&) noexcept;
-  SurfaceFlow& operator=(SurfaceFlow&&) noexcept;
 
   /// Steps with smoothing steps: the iteration of the last state when nothing stops the run.
   int totalSteps() const;
@@ -103,17 +60,17 @@ public:
   bool isFinished() const;
   /// No vertex moved farther along its normal in a step than convergenceTolerance, or the farthest
   /// one came no nearer to the target in stallSteps steps (looked at where remeshing is due).
-  bool hasConverged() const;
+  bool hasConverged() const { return this->Converged; }
   /// Empty, or one sentence that says at which step and why the run ended; that step is undone.
-  const std::string& stopReason() const;
+  const std::string& stopReason() const { return this->StopReason; }
 
   /// One time step. A step that fails leaves the state before it and sets stopReason().
   /// @throws Cancelled
   void step();
 
-  const SurfaceMesh& mesh() const;
-  const FlowArrays& arrays() const;
-  const FlowRecord& record() const;
+  const SurfaceMesh& mesh() const { return this->Surface.mesh(); }
+  const StateArrays& arrays() const { return this->Arrays; }
+  const FlowRecord& record() const { return this->Record; }
   /// A copy of the current state.
   FlowState state() const;
   /**
@@ -122,11 +79,31 @@ public:
    */
   void resume(const FlowState& state);
   /// L of the relative units: the unit the options were scaled by; 1 when they are absolute.
-  double lengthUnit() const;
+  double lengthUnit() const { return this->Setup.lengthUnit; }
 
 private:
-  struct State;
-  std::unique_ptr<State> Self;
+  bool isSmoothing() const;
+  Execution stepExecution() const;
+  void evaluate(const Execution& execution);
+  void stepOrStop();
+  void tidyLastState();
+  std::string tryStep(int parts, const Execution& execution);
+  void arrive(const std::vector<Vec3>& before, const Execution& execution);
+  void repeatState();
+  void countIteration();
+  bool hasStoppedMoving(const std::vector<Vec3>& before) const;
+  bool isRemeshingDue() const;
+  bool hasStalled();
+
+  FlowSetup Setup;
+  Execution Run;
+  Vec3 Center; ///< of the start
+  EvolvingSurface Surface;
+  StateArrays Arrays;
+  FlowRecord Record;
+  StallTest Stall;
+  bool Converged = false;
+  std::string StopReason;
 };
 
 } // namespace evolving

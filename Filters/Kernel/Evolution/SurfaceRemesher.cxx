@@ -4,16 +4,16 @@
 #include "Evolution/SurfaceRemesher.h"
 
 #include "Errors.h"
-#include "Evolution/VanishedComponents.h"
 #include "Mesh/MeshQuality.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/SelfIntersections.h"
 #include "ParallelLoops.h"
+#include "Redistribution/VanishedComponents.h"
 #include "Remeshing/CurvedReference.h"
 #include "Remeshing/EditableSurface.h"
+#include "Remeshing/IntersectionFreeStages.h"
 #include "Remeshing/Remeshing.h"
 #include "Remeshing/SizingField.h"
-#include "Remeshing/StageGuard.h"
 #include "Remeshing/StarOptimization.h"
 #include "Remeshing/VertexBudget.h"
 
@@ -202,7 +202,7 @@ std::optional<SurfaceMesh> SurfaceRemesher::remesh(
   const auto stage = [&](EditableSurface& s) { renew(s, reference, options, input.isLast, now); };
   if (selfIntersections(evolved, now).empty())
   {
-    runGuarded(surface, stage, now);
+    runWithoutIntersections(surface, stage, now);
   }
   else
   {

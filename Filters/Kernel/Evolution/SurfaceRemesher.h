@@ -52,7 +52,8 @@ public:
   /// What edges should be as long as, in the mean.
   double edgeLength() const { return this->Options.edgeLength; }
 
-  /// @throws InputError when a face is not a triangle, or as requireFewVertices(). @throws Cancelled
+  /// @throws InputError when a face is not a triangle, or as requireFewVertices(). @throws
+  /// Cancelled
   std::optional<SurfaceMesh> remesh(
     const RemeshingInput& input, const Execution& execution) override;
 

@@ -3,8 +3,8 @@
 
 #include "FeatureCapture/FaceLabels.h"
 
-#include "Distance/TriangleGeometry.h"
 #include "ParallelLoops.h"
+#include "Trees/TriangleGeometry.h"
 
 #include <cmath>
 #include <limits>

@@ -9,11 +9,11 @@
 #ifndef EVOLVING_FEATURE_REFERENCE_H
 #define EVOLVING_FEATURE_REFERENCE_H
 
-#include "Distance/AABBTree.h"
 #include "Execution.h"
 #include "Features/PolylineTree.h"
 #include "Features/TargetFeatures.h"
 #include "Remeshing/ReferenceSurface.h"
+#include "Trees/AABBTree.h"
 
 #include <vector>
 

@@ -43,7 +43,6 @@ public:
   bool mayMove(const EditableSurface& surface, Index v) const;
 
 private:
-  static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
   void takeCorners(EditableSurface& surface, const TargetFeatures& features);
   void snapToBorders(EditableSurface& surface, const TargetFeatures& features);
 

@@ -14,11 +14,6 @@ namespace evolving
 namespace
 {
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// The border of two charts, and the triangles between which it may move.
 class BorderSwap
 {

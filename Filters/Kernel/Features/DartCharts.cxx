@@ -18,11 +18,6 @@ namespace evolving
 namespace
 {
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 Vec3 centroid(const TargetTriangles& target, Index face)
 {
   const SurfaceMesh& mesh = target.mesh();

@@ -3,8 +3,8 @@
 
 #include "Features/FaceNormals.h"
 
-#include "Distance/TriangleGeometry.h"
 #include "Mesh/Angles.h"
+#include "Trees/TriangleGeometry.h"
 
 #include <algorithm>
 #include <queue>
@@ -16,11 +16,6 @@ namespace
 {
 
 constexpr double LowestHeight = 1e-6; ///< of a triangle with a plane, over the diagonal
-
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// Zero for a sliver.
 Vec3 ownNormal(const Triangle& triangle, double lowest)

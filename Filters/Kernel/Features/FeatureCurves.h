@@ -57,7 +57,6 @@ private:
     Corner
   };
 
-  static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
   void sortByVertex(const TargetTriangles& target, const std::vector<Index>& edges);
   Role roleOf(const TargetTriangles& target, Index vertex) const;
   void trace(const TargetTriangles& target, const SharpEdges& sharp, Index start, Index edge);

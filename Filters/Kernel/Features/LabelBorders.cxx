@@ -12,11 +12,6 @@ namespace evolving
 namespace
 {
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 std::size_t treeOf(EdgeKind kind)
 {
   return kind == EdgeKind::Sharp ? 0 : 1;

@@ -37,7 +37,6 @@ private:
     double capacity; ///< what is left of it
   };
 
-  static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
   bool isOpen(Index arc) const { return this->Arcs[at(arc)].capacity > this->Negligible; }
   /// As far as the sink; all that can be reached when it cannot.
   void findLevels(Index source, Index sink);

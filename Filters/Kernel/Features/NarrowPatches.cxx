@@ -3,10 +3,10 @@
 
 #include "Features/NarrowPatches.h"
 
-#include "Distance/TriangleGeometry.h"
 #include "Features/CarriableFeatures.h"
 #include "Features/SurfacePatches.h"
 #include "Mesh/DisjointSets.h"
+#include "Trees/TriangleGeometry.h"
 
 #include <algorithm>
 #include <functional>

@@ -9,8 +9,8 @@
 #ifndef EVOLVING_POLYLINE_TREE_H
 #define EVOLVING_POLYLINE_TREE_H
 
-#include "Distance/AABBTree.h"
 #include "Features/TargetTriangles.h"
+#include "Trees/AABBTree.h"
 #include "Types.h"
 
 #include <limits>

@@ -16,11 +16,6 @@ namespace evolving
 namespace
 {
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 double lengthOf(const TargetTriangles& target, const std::vector<Index>& edges)
 {
   double length = 0.0;

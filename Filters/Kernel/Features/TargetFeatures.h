@@ -10,7 +10,6 @@
 #ifndef EVOLVING_TARGET_FEATURES_H
 #define EVOLVING_TARGET_FEATURES_H
 
-#include "Distance/AABBTree.h"
 #include "Execution.h"
 #include "Features/FeatureCurves.h"
 #include "Features/LabelBorders.h"
@@ -18,6 +17,7 @@
 #include "Features/SharpEdges.h"
 #include "Features/SurfacePatches.h"
 #include "Features/TargetTriangles.h"
+#include "Trees/AABBTree.h"
 #include "Types.h"
 
 #include <limits>

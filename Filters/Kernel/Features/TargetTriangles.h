@@ -9,9 +9,9 @@
 #ifndef EVOLVING_TARGET_TRIANGLES_H
 #define EVOLVING_TARGET_TRIANGLES_H
 
-#include "Distance/TriangleEdges.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
+#include "Mesh/TriangleEdges.h"
 #include "Types.h"
 
 #include <array>
@@ -66,7 +66,6 @@ public:
   const Index* facesEnd(Index vertex) const;
 
 private:
-  static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
   static SurfaceMesh clean(
     const SurfaceMesh& surface, std::vector<Index>& oldFace, const Execution& execution);
   void sortFacesByVertex();

@@ -16,6 +16,7 @@
 namespace evolving
 {
 
+constexpr double Pi = 3.14159265358979323846;
 constexpr double RadiansPerDegree = 0.017453292519943295;
 constexpr double DegreesPerRadian = 57.29577951308232;
 

@@ -15,11 +15,6 @@ namespace evolving
 namespace
 {
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 std::vector<RimEdge> rimEdges(const SurfaceMesh& mesh)
 {
   const std::vector<DirectedEdge> edges = sortedDirectedEdges(mesh);

@@ -15,11 +15,6 @@ namespace evolving
 namespace
 {
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// From the farthest from the centre on: pairs that cannot be farther apart are not looked at.
 double largestDistance(const std::vector<Vec3>& points)
 {

@@ -14,11 +14,6 @@ namespace evolving
 namespace
 {
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /**
  * Boxes in an order in which every half of every half of the sequence is compact, with the box
  * around each. A range [begin, end) longer than a leaf splits at its middle, which belongs to no

@@ -9,6 +9,7 @@
 #ifndef EVOLVING_MESH_QUALITY_H
 #define EVOLVING_MESH_QUALITY_H
 
+#include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
 
 #include <vector>
@@ -32,8 +33,8 @@ struct AngleSummary
 
 AngleSummary summarizeAngles(const SurfaceMesh& mesh);
 
-/// The smallest corner angle of all faces, in degrees.
-double smallestAngle(const SurfaceMesh& mesh);
+/// The smallest corner angle of all faces in degrees; 0 when an edge has no length.
+double smallestAngle(const SurfaceMesh& mesh, const Execution& execution = {});
 
 /// The mean length of the edges, each counted once per face.
 double meanEdgeLength(const SurfaceMesh& mesh);

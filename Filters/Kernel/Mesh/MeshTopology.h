@@ -78,7 +78,6 @@ public:
   Index componentCount() const { return this->Components; }
 
 private:
-  static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
   void joinOpposites(const SurfaceMesh& mesh);
   std::vector<Index> findRingStarts();
   void sortRings();

@@ -12,11 +12,6 @@ namespace evolving
 namespace
 {
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// The vertices that faces use, in ascending order.
 std::vector<Index> usedVertices(const SurfaceMesh& mesh)
 {

@@ -15,11 +15,6 @@ namespace evolving
 namespace
 {
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 void requireFinitePoint(const SurfaceMesh& mesh, Index vertex)
 {
   if (!mesh.points[at(vertex)].allFinite())

@@ -9,7 +9,7 @@
 #ifndef EVOLVING_BARYCENTRIC_H
 #define EVOLVING_BARYCENTRIC_H
 
-#include "Distance/TriangleGeometry.h"
+#include "Trees/TriangleGeometry.h"
 #include "Types.h"
 
 namespace evolving

@@ -9,10 +9,10 @@
 #ifndef EVOLVING_CURVED_REFERENCE_H
 #define EVOLVING_CURVED_REFERENCE_H
 
-#include "Distance/AABBTree.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
 #include "Remeshing/ReferenceSurface.h"
+#include "Trees/AABBTree.h"
 
 #include <vector>
 

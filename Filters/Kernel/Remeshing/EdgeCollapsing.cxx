@@ -59,7 +59,7 @@ Mobility mobilityOf(const EditableSurface& surface, Index v)
 class Collapser
 {
 public:
-  Collapser(EditableSurface& surface, const CollapseGuards& guards)
+  Collapser(EditableSurface& surface, const CollapseLimits& guards)
     : Surface(surface)
     , Judge(surface, guards)
   {
@@ -132,17 +132,17 @@ private:
   }
 
   EditableSurface& Surface;
-  CollapseJudge Judge;
+  CollapseCriteria Judge;
 };
 
 } // namespace
 
-bool collapseEdge(EditableSurface& surface, Index edge, const CollapseGuards& guards)
+bool collapseEdge(EditableSurface& surface, Index edge, const CollapseLimits& guards)
 {
   return Collapser(surface, guards).tryEdge(edge);
 }
 
-Index collapseShortEdges(EditableSurface& surface, double ratio, const CollapseGuards& guards)
+Index collapseShortEdges(EditableSurface& surface, double ratio, const CollapseLimits& guards)
 {
   const auto relativeLength = [&surface](Index e)
   { return surface.length(e) / surface.size(surface.from(e), surface.to(e)); };
@@ -177,7 +177,7 @@ Index collapseShortEdges(EditableSurface& surface, double ratio, const CollapseG
   return collapses;
 }
 
-Index collapseLowValences(EditableSurface& surface, const CollapseGuards& guards)
+Index collapseLowValences(EditableSurface& surface, const CollapseLimits& guards)
 {
   Collapser collapser(surface, guards);
   Index collapses = 0;

@@ -9,7 +9,7 @@
 #ifndef EVOLVING_EDGE_COLLAPSING_H
 #define EVOLVING_EDGE_COLLAPSING_H
 
-#include "Remeshing/CollapseJudge.h"
+#include "Remeshing/CollapseCriteria.h"
 #include "Remeshing/EditableSurface.h"
 #include "Types.h"
 
@@ -23,13 +23,13 @@ namespace evolving
  * is.
  * @return the number of collapses
  */
-Index collapseShortEdges(EditableSurface& surface, double ratio, const CollapseGuards& guards = {});
+Index collapseShortEdges(EditableSurface& surface, double ratio, const CollapseLimits& guards = {});
 
 /// Collapses one edge if the connectivity and the guards allow it, as collapseShortEdges() does.
-bool collapseEdge(EditableSurface& surface, Index edge, const CollapseGuards& guards = {});
+bool collapseEdge(EditableSurface& surface, Index edge, const CollapseLimits& guards = {});
 
 /// Collapses the shortest possible edge of every inner vertex with four or fewer neighbours.
-Index collapseLowValences(EditableSurface& surface, const CollapseGuards& guards = {});
+Index collapseLowValences(EditableSurface& surface, const CollapseLimits& guards = {});
 
 } // namespace evolving
 

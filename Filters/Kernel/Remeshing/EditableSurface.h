@@ -150,7 +150,6 @@ private:
   static constexpr unsigned char Pin = 1;
   static constexpr unsigned char Lock = 2;
 
-  static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
   void join(Index e, Index f);
   Index addFace(Index label);
   void setEdge(Index e, Index from, Index opposite, Index curve);

@@ -137,7 +137,7 @@ private:
 
   bool collapse(Index e)
   {
-    CollapseGuards guards;
+    CollapseLimits guards;
     guards.leastQuality = 0.0;
     return collapseEdge(this->Surface, e, guards);
   }

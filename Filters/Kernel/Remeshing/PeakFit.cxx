@@ -3,12 +3,12 @@
 
 #include "Remeshing/PeakFit.h"
 
-#include "Distance/TriangleGeometry.h"
 #include "ParallelLoops.h"
 #include "Remeshing/Barycentric.h"
 #include "Remeshing/FaceShape.h"
 #include "Remeshing/OrderedTasks.h"
 #include "Remeshing/SurfaceFit.h"
+#include "Trees/TriangleGeometry.h"
 
 #include <algorithm>
 #include <cmath>

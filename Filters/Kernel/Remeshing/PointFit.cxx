@@ -3,10 +3,10 @@
 
 #include "Remeshing/PointFit.h"
 
-#include "Distance/AABBTree.h"
 #include "ParallelLoops.h"
 #include "Remeshing/Barycentric.h"
-#include "Remeshing/GuardedMove.h"
+#include "Remeshing/InversionFreeMove.h"
+#include "Trees/AABBTree.h"
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
@@ -116,7 +116,7 @@ public:
       points[at(v)] =
         this->Surface.point(v) + std::clamp(heights[v], -most, most) * this->Normals[at(v)];
     }
-    moveGuarded(this->Surface, points, execution);
+    moveWithoutInversion(this->Surface, points, execution);
   }
 
 private:

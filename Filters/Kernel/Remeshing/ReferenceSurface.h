@@ -9,9 +9,9 @@
 #ifndef EVOLVING_REFERENCE_SURFACE_H
 #define EVOLVING_REFERENCE_SURFACE_H
 
-#include "Distance/AABBTree.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
+#include "Trees/AABBTree.h"
 #include "Types.h"
 
 namespace evolving

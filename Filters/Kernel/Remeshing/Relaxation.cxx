@@ -4,7 +4,7 @@
 #include "Remeshing/Relaxation.h"
 
 #include "ParallelLoops.h"
-#include "Remeshing/GuardedMove.h"
+#include "Remeshing/InversionFreeMove.h"
 
 #include <vector>
 
@@ -118,7 +118,7 @@ void relax(EditableSurface& surface, const ReferenceSurface& reference, double d
           points[at(v)] = relaxed(surface, reference, v, damping);
         }
       });
-    moveGuarded(surface, points, execution);
+    moveWithoutInversion(surface, points, execution);
   }
 }
 
@@ -141,7 +141,7 @@ void landWhere(EditableSurface& surface, const ReferenceSurface& reference,
           isWanted(surface.point(v)) ? relaxed(surface, reference, v, 0.0) : surface.point(v);
       }
     });
-  moveGuarded(surface, points, execution);
+  moveWithoutInversion(surface, points, execution);
 }
 
 } // namespace evolving

@@ -24,7 +24,7 @@ struct RemeshingOptions
   double shortest = 4.0 / 5.0;
   int relaxations = 3; ///< after each pass
   double damping = 0.7;
-  CollapseGuards guards;
+  CollapseLimits guards;
 };
 
 /**

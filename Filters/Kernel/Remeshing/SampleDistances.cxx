@@ -3,8 +3,8 @@
 
 #include "Remeshing/SampleDistances.h"
 
-#include "Distance/AABBTree.h"
 #include "ParallelLoops.h"
+#include "Trees/AABBTree.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "Remeshing/SurfaceFit.h"
 
 #include "ParallelLoops.h"
-#include "Remeshing/GuardedMove.h"
+#include "Remeshing/InversionFreeMove.h"
 #include "Remeshing/NormalEquations.h"
 
 #include <Eigen/Dense>
@@ -159,7 +159,7 @@ private:
         points[at(v)] += way * std::min(1.0, longest / std::max(way.norm(), longest));
       }
     }
-    moveGuarded(this->Surface, points, this->Run);
+    moveWithoutInversion(this->Surface, points, this->Run);
   }
 
   EditableSurface& Surface;

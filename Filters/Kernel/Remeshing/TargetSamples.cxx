@@ -3,7 +3,7 @@
 
 #include "Remeshing/TargetSamples.h"
 
-#include "Distance/TriangleGeometry.h"
+#include "Trees/TriangleGeometry.h"
 
 #include <cmath>
 

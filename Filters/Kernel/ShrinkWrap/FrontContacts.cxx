@@ -3,10 +3,10 @@
 
 #include "ShrinkWrap/FrontContacts.h"
 
-#include "Distance/AABBTree.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/VertexNormals.h"
 #include "ParallelLoops.h"
+#include "Trees/AABBTree.h"
 
 #include <algorithm>
 #include <cmath>

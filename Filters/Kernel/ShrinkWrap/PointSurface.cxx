@@ -9,10 +9,10 @@
 #include "Remeshing/EdgeCollapsing.h"
 #include "Remeshing/EdgeFlipping.h"
 #include "Remeshing/EditableSurface.h"
+#include "Remeshing/IntersectionFreeStages.h"
 #include "Remeshing/PointFit.h"
 #include "Remeshing/Remeshing.h"
 #include "Remeshing/SizingField.h"
-#include "Remeshing/StageGuard.h"
 #include "ShrinkWrap/TightGrid.h"
 #include "StartSurface/GapClosing.h"
 #include "StartSurface/InsideSamples.h"
@@ -218,12 +218,12 @@ private:
   {
     EditableSurface editable(surface);
     setUniformSizes(editable, ElementPerSpacing * this->Spacing);
-    runGuarded(editable, &PointSurface::coarsen, this->Run.phase(0.6, 0.6));
+    runWithoutIntersections(editable, &PointSurface::coarsen, this->Run.phase(0.6, 0.6));
     for (int round = 0; round < FitRounds; ++round)
     {
       const double done = 0.6 + 0.4 * round / FitRounds;
       const Execution now = this->Run.phase(done, done); // parts may run again
-      runGuarded(
+      runWithoutIntersections(
         editable,
         [&](EditableSurface& s)
         {

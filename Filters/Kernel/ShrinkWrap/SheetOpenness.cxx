@@ -75,7 +75,7 @@ SidesOpen SheetOpenness::sidesOf(Index triangle) const
 {
   const Triangle& t = this->Tree.triangle(triangle);
   const auto places = placesOf(t);
-  const auto isOpen = [&](const Vec3& p) { return this->at(triangle, p) > SurelyOpen; };
+  const auto isOpen = [&](const Vec3& p) { return at(triangle, p) > SurelyOpen; };
   if (t.box().diagonal().norm() < this->Region.radius())
   {
     return isOpen(places.back()) ? SidesOpen::Both : SidesOpen::One; // as small as a place

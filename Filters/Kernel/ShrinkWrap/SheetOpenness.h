@@ -9,8 +9,8 @@
 #ifndef EVOLVING_SHEET_OPENNESS_H
 #define EVOLVING_SHEET_OPENNESS_H
 
-#include "Distance/AABBTree.h"
 #include "ShrinkWrap/OuterRegion.h"
+#include "Trees/AABBTree.h"
 #include "Types.h"
 
 namespace evolving

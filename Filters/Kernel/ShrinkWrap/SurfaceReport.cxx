@@ -3,10 +3,10 @@
 
 #include "ShrinkWrap/SurfaceReport.h"
 
-#include "Distance/AABBTree.h"
 #include "Mesh/MeshQuality.h"
 #include "Mesh/SelfIntersections.h"
 #include "Mesh/TopologySummary.h"
+#include "Trees/AABBTree.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #ifndef EVOLVING_TRIANGLE_PLACES_H
 #define EVOLVING_TRIANGLE_PLACES_H
 
-#include "Distance/TriangleGeometry.h"
+#include "Trees/TriangleGeometry.h"
 #include "Types.h"
 
 #include <array>

@@ -7,9 +7,9 @@
 #include "FeatureCapture/FeatureReference.h"
 #include "Features/TargetFeatures.h"
 #include "Remeshing/EditableSurface.h"
+#include "Remeshing/IntersectionFreeStages.h"
 #include "Remeshing/Relaxation.h"
 #include "Remeshing/SizingField.h"
-#include "Remeshing/StageGuard.h"
 #include "ShrinkWrap/FinishSteps.h"
 
 #include <optional>
@@ -87,20 +87,21 @@ public:
     {
       this->stage(0.75, 0.75, &Finish::release);
     }
-    this->stage(0.75, 0.85, &Finish::fitUpright, runMoves);
+    this->stage(0.75, 0.85, &Finish::fitUpright, moveWithoutIntersections);
     this->stage(0.85, 0.9, &Finish::repair);
     if (this->IsOnTarget)
     {
-      this->stage(0.9, 0.95, &Finish::reachPeaks, runMoves);
+      this->stage(0.9, 0.95, &Finish::reachPeaks, moveWithoutIntersections);
     }
     else
     {
-      this->stage(0.9, 0.95, &Finish::settle, runMoves);
+      this->stage(0.9, 0.95, &Finish::settle, moveWithoutIntersections);
     }
     this->stage(0.95, 1.0, &Finish::repair);
     if (this->Offset > 0.0)
     {
-      this->stage(1.0, 1.0, &Finish::landOften, runMoves); // the offset is a promise for vertices
+      this->stage(1.0, 1.0, &Finish::landOften,
+        moveWithoutIntersections); // the offset is a promise for vertices
     }
     return { this->Surface.mesh(), this->coverage() };
   }
@@ -113,13 +114,13 @@ private:
   static Index runForAngles(
     EditableSurface& surface, const RemeshingStage& stage, const Execution& now)
   {
-    return runGuarded(surface, stage, now, LeastAngleOfAdapted);
+    return runWithoutIntersections(surface, stage, now, LeastAngleOfAdapted);
   }
 
   static Index runAnyAngles(
     EditableSurface& surface, const RemeshingStage& stage, const Execution& now)
   {
-    return runGuarded(surface, stage, now);
+    return runWithoutIntersections(surface, stage, now);
   }
 
   void stage(double from, double to, Work work, Guard guard = runAnyAngles)

@@ -35,7 +35,7 @@ public:
   std::vector<Piece> cut(const Triangle& triangle)
   {
     const auto& [a, b, c] = triangle.corners;
-    this->cut({ triangle.corners, { this->at(a), this->at(b), this->at(c) } });
+    this->cut({ triangle.corners, { at(a), at(b), at(c) } });
     return std::move(this->Pieces);
   }
 
@@ -58,7 +58,7 @@ private:
     const auto from = static_cast<std::size_t>(longest - squares.begin());
     const std::size_t to = (from + 1) % 3;
     const Vec3 middle = 0.5 * (piece.corners[from] + piece.corners[to]);
-    const double openness = this->at(middle);
+    const double openness = at(middle);
     for (const std::size_t end : { from, to })
     {
       Piece half = piece;

@@ -9,10 +9,10 @@
 #ifndef EVOLVING_WRAP_LEVELS_H
 #define EVOLVING_WRAP_LEVELS_H
 
-#include "Distance/AABBTree.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
 #include "ShrinkWrap/OuterRegion.h"
+#include "Trees/AABBTree.h"
 #include "Types.h"
 
 #include <array>

@@ -3,10 +3,10 @@
 
 #include "ShrinkWrap/WrapReference.h"
 
-#include "Distance/TriangleGeometry.h"
 #include "ParallelLoops.h"
 #include "Remeshing/Barycentric.h"
 #include "ShrinkWrap/TrianglePlaces.h"
+#include "Trees/TriangleGeometry.h"
 
 #include <algorithm>
 #include <array>

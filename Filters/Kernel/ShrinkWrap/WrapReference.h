@@ -9,12 +9,12 @@
 #ifndef EVOLVING_WRAP_REFERENCE_H
 #define EVOLVING_WRAP_REFERENCE_H
 
-#include "Distance/AABBTree.h"
 #include "Execution.h"
 #include "Remeshing/ReferenceSurface.h"
 #include "ShrinkWrap/OuterRegion.h"
 #include "ShrinkWrap/WrapLevels.h"
 #include "ShrinkWrap/WrapTarget.h"
+#include "Trees/AABBTree.h"
 
 #include <algorithm>
 #include <memory>

@@ -8,9 +8,9 @@
 #include "Remeshing/EdgeFlipping.h"
 #include "Remeshing/EdgeSplitting.h"
 #include "Remeshing/EditableSurface.h"
+#include "Remeshing/IntersectionFreeStages.h"
 #include "Remeshing/Remeshing.h"
 #include "Remeshing/SizingField.h"
-#include "Remeshing/StageGuard.h"
 #include "Remeshing/VertexBudget.h"
 #include "ShrinkWrap/FrontContacts.h"
 #include "ShrinkWrap/WrapFinish.h"
@@ -77,7 +77,7 @@ SurfaceMesh WrapRemesher::withRightSizes(
   setSizesByDistance(editable, sizeForEdges(this->Target->edgeLength), distance);
   requireFewVertices(editable, this->Target->edgeLength);
   const RemeshingOptions options;
-  runGuarded(
+  runWithoutIntersections(
     editable,
     [&options](EditableSurface& s)
     {

@@ -19,11 +19,6 @@ constexpr double LargestSumOfHoles = 0.07; ///< likewise
 constexpr double LeastContinuation = 0.4;
 constexpr double OutlineContinuation = -0.9; ///< below it a cap lies on the sheet around
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// A connected component's area, and the flat caps of its loops.
 struct Openings
 {

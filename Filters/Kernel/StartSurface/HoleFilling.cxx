@@ -3,7 +3,7 @@
 
 #include "StartSurface/HoleFilling.h"
 
-#include "Distance/PolygonTriangulation.h"
+#include "Mesh/PolygonTriangulation.h"
 #include "Mesh/SelfIntersections.h"
 #include "StartSurface/LeastAreaCap.h"
 
@@ -25,11 +25,6 @@ using Cap = std::vector<std::array<Index, 3>>;
 
 constexpr std::size_t LongestForLeastArea = 300;
 constexpr int Choices = 5;
-
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// Edges by the numbers of their ends, in any order.
 class EdgeSet

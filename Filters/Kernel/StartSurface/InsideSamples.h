@@ -69,7 +69,6 @@ public:
   GridIndex cornerOffset(unsigned b) const { return this->CornerOffsets[b]; }
 
 private:
-  static std::size_t at(GridIndex i) { return static_cast<std::size_t>(i); }
   void markBelow(const Execution& execution);
 
   std::array<int, 3> Sizes{};

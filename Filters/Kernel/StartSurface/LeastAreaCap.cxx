@@ -16,11 +16,6 @@ namespace
 
 constexpr double Forbidden = std::numeric_limits<double>::infinity();
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// A triangle's area, and more for a sliver: times 1 + 1/(1000 q^2), where q is 1 for an
 /// equilateral one (twice the root of 12 times the area by the sum of the squared sides).
 double shapedArea(const Vec3& a, const Vec3& b, const Vec3& c)

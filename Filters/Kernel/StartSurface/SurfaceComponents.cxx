@@ -13,11 +13,6 @@ namespace evolving
 namespace
 {
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// A mesh's components, and whose each face is.
 struct Partition
 {

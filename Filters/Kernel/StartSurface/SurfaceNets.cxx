@@ -16,11 +16,6 @@ namespace
 /// The smallest distance of crossings from samples, in edges, and of vertices from cell sides.
 constexpr double Inset = 0.02;
 
-std::size_t at(GridIndex i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// Where the surface crosses the edge from an inside sample to an outside one, from 0 to 1.
 double crossing(double insideValue, double outsideValue)
 {

@@ -4,10 +4,10 @@
 #include "Distance/ClosestPoint/ClosestOnGrid.h"
 
 #include "Distance/ClosestTriangles.h"
-#include "Distance/TriangleGeometry.h"
 #include "DistanceShapes.h"
 #include "Errors.h"
 #include "ThreadedExecution.h"
+#include "Trees/TriangleGeometry.h"
 
 #include <gtest/gtest.h>
 

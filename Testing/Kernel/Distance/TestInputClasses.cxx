@@ -6,9 +6,9 @@
 
 #include "Distance/ClosestTriangles.h"
 #include "Distance/SignedDistance.h"
-#include "Distance/TriangleGeometry.h"
 #include "DistanceShapes.h"
 #include "Errors.h"
+#include "Trees/TriangleGeometry.h"
 
 #include <gtest/gtest.h>
 

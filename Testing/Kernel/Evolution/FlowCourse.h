@@ -11,8 +11,8 @@
 
 #include "Evolution/EvolutionShapes.h"
 #include "Evolution/SurfaceFlow.h"
-#include "Evolution/VanishedComponents.h"
 #include "Mesh/MeshTopology.h"
+#include "Redistribution/VanishedComponents.h"
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ inline bool areFinite(const std::vector<Vec3>& values)
   return std::all_of(values.begin(), values.end(), [](const Vec3& v) { return v.allFinite(); });
 }
 
-inline bool areFinite(const FlowArrays& a)
+inline bool areFinite(const StateArrays& a)
 {
   return areFinite(a.distance) && areFinite(a.distanceGradient) && areFinite(a.normal) &&
     areFinite(a.meanCurvature) && areFinite(a.coVolume) && areFinite(a.normalVelocity) &&

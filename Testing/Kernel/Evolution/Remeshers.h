@@ -136,7 +136,7 @@ inline SurfaceFlow flowOf(const SurfaceMesh& start, const std::shared_ptr<const 
 }
 
 /// Have all arrays a value for each of so many vertices?
-inline bool fit(const FlowArrays& a, std::size_t count)
+inline bool fit(const StateArrays& a, std::size_t count)
 {
   const std::set<std::size_t> sizes = { a.distance.size(), a.distanceGradient.size(),
     a.normal.size(), a.meanCurvature.size(), a.coVolume.size(), a.normalVelocity.size(),

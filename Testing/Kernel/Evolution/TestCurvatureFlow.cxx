@@ -7,7 +7,7 @@
 #include "Evolution/EvolutionShapes.h"
 #include "Evolution/FlowRuns.h"
 #include "Evolution/RoundShapes.h"
-#include "Evolution/SurfaceProjector.h"
+#include "Redistribution/SurfaceProjector.h"
 
 #include <gtest/gtest.h>
 

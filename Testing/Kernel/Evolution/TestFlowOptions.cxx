@@ -4,7 +4,7 @@
 #include "Evolution/FlowOptions.h"
 
 #include "Errors.h"
-#include "Evolution/SubSteps.h"
+#include "Redistribution/SubSteps.h"
 
 #include <gtest/gtest.h>
 

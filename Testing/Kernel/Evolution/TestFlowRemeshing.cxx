@@ -83,7 +83,7 @@ TEST(FlowRemeshing, AStateIsThatOfTheNewElements)
   const FlowRecord& record = flow.record();
   EXPECT_NEAR(record.area, surfaceArea(flow.mesh()), 1e-12);
   EXPECT_NEAR(record.volume, signedVolume(flow.mesh()), 1e-12);
-  EXPECT_EQ(record.minAngle, smallestCornerAngle(flow.mesh(), Execution()));
+  EXPECT_EQ(record.minAngle, smallestAngle(flow.mesh(), Execution()));
   EXPECT_EQ(record.maxDistance, farthest(flow.arrays().distance));
   EXPECT_NEAR(record.maxDistance, 0.3, 0.005);
   EXPECT_EQ(record.iteration, 1);

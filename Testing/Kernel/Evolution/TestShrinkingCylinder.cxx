@@ -3,7 +3,7 @@
 
 // An open cylinder under mean curvature flow whose rims are moved as the exact solution says.
 
-#include "Evolution/EvolutionStep.h"
+#include "Evolution/SemiImplicitStep.h"
 
 #include "Evolution/EvolutionShapes.h"
 
@@ -91,7 +91,7 @@ private:
   std::vector<char> IsKnown;
   std::vector<double> Epsilon;
   std::vector<Vec3> AtRest;
-  EvolutionStep Step;
+  SemiImplicitStep Step;
   double Time = 0.0;
 };
 

@@ -20,7 +20,7 @@ TEST(SurfaceFlow, EverythingIsAvailableForTheStart)
   const SurfaceMesh start = shapes::bumpySphere(2);
   FlowOptions options = flows::towardsSphere(3);
   const SurfaceFlow flow(start, shapes::sphereField(31, 1.6, 0.5), options);
-  const FlowArrays& arrays = flow.arrays();
+  const StateArrays& arrays = flow.arrays();
   EXPECT_EQ(flow.record().iteration, 0);
   EXPECT_EQ(flow.record().time, 0.0);
   EXPECT_NEAR(flow.record().area, surfaceArea(start), 1e-12);

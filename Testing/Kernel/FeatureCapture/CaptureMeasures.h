@@ -9,10 +9,10 @@
 #ifndef EVOLVING_CAPTURE_MEASURES_H
 #define EVOLVING_CAPTURE_MEASURES_H
 
-#include "Distance/TriangleGeometry.h"
 #include "Features/TargetFeatures.h"
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/EditingChecks.h"
+#include "Trees/TriangleGeometry.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #ifndef EVOLVING_FEATURE_SHAPES_H
 #define EVOLVING_FEATURE_SHAPES_H
 
-#include "Distance/PolygonTriangulation.h"
+#include "Mesh/PolygonTriangulation.h"
 #include "Mesh/SurfaceMesh.h"
 
 #include <cmath>

@@ -16,7 +16,7 @@ using namespace evolving;
 using namespace evolving::editing;
 
 /// Guards that refuse nothing.
-constexpr CollapseGuards Unguarded{ 1e9, -1.0, 0.0, 1e9 };
+constexpr CollapseLimits Unguarded{ 1e9, -1.0, 0.0, 1e9 };
 
 TEST(CollapseLimits, CurvesAndTheirEndsStay)
 {

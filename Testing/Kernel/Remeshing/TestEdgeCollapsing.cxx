@@ -22,7 +22,7 @@ using namespace evolving;
 using namespace evolving::editing;
 
 /// Guards that refuse nothing.
-constexpr CollapseGuards Unguarded{ 1e9, -1.0, 0.0, 1e9 };
+constexpr CollapseLimits Unguarded{ 1e9, -1.0, 0.0, 1e9 };
 
 double longestEdge(const EditableSurface& surface)
 {
@@ -80,7 +80,7 @@ TEST(EdgeCollapsing, InnerVerticesMeetInTheMiddle)
 
 TEST(EdgeCollapsing, NewEdgesAreNotTooLong)
 {
-  CollapseGuards guards = Unguarded;
+  CollapseLimits guards = Unguarded;
   guards.longest = 1.1;
   EditableSurface surface = shapes::sized(shapes::shakenSphere(4, 0.2, 2), 0.3);
   ASSERT_LT(longestEdge(surface), 0.33);
@@ -93,7 +93,7 @@ TEST(EdgeCollapsing, NewEdgesAreNotTooLong)
 
 TEST(EdgeCollapsing, NewFacesHaveShape)
 {
-  CollapseGuards guards;
+  CollapseLimits guards;
   guards.leastQuality = 0.6;
   EditableSurface surface = shapes::sized(shapes::shakenSphere(4, 0.1, 3), 0.3);
   ASSERT_GT(worstShape(surface), 0.6);
@@ -107,7 +107,7 @@ TEST(EdgeCollapsing, BadFacesMayBecomeBetter)
   SurfaceMesh mesh = shapes::sheet(6, true);
   mesh.points[25] = mesh.points[24] + Vec3(1e-6, 0.0, 0.0);
   EditableSurface surface = shapes::sized(mesh, 1.0 / 6.0);
-  CollapseGuards guards;
+  CollapseLimits guards;
   guards.longest = 2.5;
   guards.leastQuality = 0.99;
   const double before = worstShape(surface);
@@ -120,7 +120,7 @@ TEST(EdgeCollapsing, NormalsTurnLittle)
   // A thin box: without a guard collapses round its edges off, with one they do not.
   const SurfaceMesh box = shapes::triangleBox(8, Vec3(1.0, 1.0, 0.1));
   EditableSurface surface = shapes::sized(box, 0.5);
-  CollapseGuards strict = Unguarded;
+  CollapseLimits strict = Unguarded;
   strict.leastCosine = 0.999;
   EXPECT_GT(collapseShortEdges(surface, 0.8, strict), 50);
   for (Index f = 0; f < surface.faceSlots(); ++f)
@@ -141,7 +141,7 @@ TEST(EdgeCollapsing, WhatDoesNotChangeIsNotJudged)
   EditableSurface surface = shapes::sized(mesh, 0.2);
   surface.setPinned(24);
   surface.setPinned(23);
-  CollapseGuards guards;
+  CollapseLimits guards;
   guards.longest = 1.95;
   EXPECT_EQ(collapseShortEdges(surface, 0.6, guards), 1);
   EXPECT_FALSE(surface.hasVertex(25));

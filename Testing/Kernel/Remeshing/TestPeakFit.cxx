@@ -3,12 +3,12 @@
 
 #include "Remeshing/PeakFit.h"
 
-#include "Distance/AABBTree.h"
 #include "Mesh/MeshQuality.h"
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/RemeshingShapes.h"
 #include "Remeshing/TargetSamples.h"
 #include "ThreadedExecution.h"
+#include "Trees/AABBTree.h"
 
 #include <gtest/gtest.h>
 

@@ -3,11 +3,11 @@
 
 #include "Remeshing/PointFit.h"
 
-#include "Distance/AABBTree.h"
 #include "Mesh/SelfIntersections.h"
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/RemeshingShapes.h"
 #include "ThreadedExecution.h"
+#include "Trees/AABBTree.h"
 
 #include <gtest/gtest.h>
 

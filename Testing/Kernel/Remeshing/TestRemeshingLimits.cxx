@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Distance/AABBTree.h"
 #include "Mesh/MeshQuality.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/SelfIntersections.h"
@@ -13,6 +12,7 @@
 #include "Remeshing/StarOptimization.h"
 #include "Remeshing/SurfaceFit.h"
 #include "Remeshing/TargetSamples.h"
+#include "Trees/AABBTree.h"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,10 @@
 
 #include "Remeshing/TargetSamples.h"
 
-#include "Distance/AABBTree.h"
-#include "Distance/TriangleGeometry.h"
 #include "Remeshing/Barycentric.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Trees/AABBTree.h"
+#include "Trees/TriangleGeometry.h"
 
 #include <gtest/gtest.h>
 

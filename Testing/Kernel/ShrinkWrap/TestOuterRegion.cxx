@@ -3,13 +3,13 @@
 
 #include "ShrinkWrap/OuterRegion.h"
 
-#include "Distance/AABBTree.h"
 #include "Evolution/EvolutionFields.h"
 #include "Mesh/HoleyShapes.h"
 #include "Mesh/SelfIntersections.h"
 #include "Mesh/TopologySummary.h"
 #include "SampledOnGrid.h"
 #include "ThreadedExecution.h"
+#include "Trees/AABBTree.h"
 
 #include <gtest/gtest.h>
 

@@ -9,12 +9,12 @@
 #ifndef EVOLVING_WRAP_RUNS_H
 #define EVOLVING_WRAP_RUNS_H
 
-#include "Distance/AABBTree.h"
 #include "Evolution/SurfaceFlow.h"
 #include "Mesh/TopologySummary.h"
 #include "Remeshing/TargetSamples.h"
 #include "ShrinkWrap/ShrinkWrap.h"
 #include "ShrinkWrap/SurfaceReport.h"
+#include "Trees/AABBTree.h"
 
 #include <gtest/gtest.h>
 

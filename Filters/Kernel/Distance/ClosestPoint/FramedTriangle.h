@@ -9,7 +9,7 @@
 #ifndef EVOLVING_FRAMED_TRIANGLE_H
 #define EVOLVING_FRAMED_TRIANGLE_H
 
-#include "Distance/TriangleGeometry.h"
+#include "Trees/TriangleGeometry.h"
 #include "Types.h"
 
 namespace evolving

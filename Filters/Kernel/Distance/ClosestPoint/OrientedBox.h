@@ -9,7 +9,7 @@
 #ifndef EVOLVING_ORIENTED_BOX_H
 #define EVOLVING_ORIENTED_BOX_H
 
-#include "Distance/TriangleGeometry.h"
+#include "Trees/TriangleGeometry.h"
 #include "Types.h"
 
 #include <vector>

@@ -10,8 +10,8 @@
 #define EVOLVING_SEARCH_GRID_H
 
 #include "Distance/DistanceGrid.h"
-#include "Distance/TriangleGeometry.h"
 #include "Mesh/SurfaceMesh.h"
+#include "Trees/TriangleGeometry.h"
 #include "Types.h"
 
 #include <algorithm>

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * A solved evolution behind a filter: how its states and its history become VTK data. Private to
+ * the module.
+ */
+
+#ifndef EvolutionOutput_h
+#define EvolutionOutput_h
+
+#include "KernelBridge.h"
+
+#include "vtkSmartPointer.h"
+
+#include <memory>
+#include <vector>
+
+class vtkCellArray;
+class vtkPolyData;
+class vtkTable;
+
+/// A flow's series as VTK data: each state with its own polygons, which remeshing may change.
+class EvolutionOutput
+{
+public:
+  /// Solves the flow.
+  EvolutionOutput(int pointType, bool hasField, evolving::StateSeries::MakeFlow makeFlow,
+    const std::vector<int>& published, std::size_t memoryLimit,
+    const evolving::Execution& execution);
+
+  /**
+   * Points, polygons, point arrays and field arrays of the state published as number i. States
+   * with equal polygons that are written one after the other share them.
+   */
+  void WriteState(std::size_t i, vtkPolyData* output, const evolving::Execution& execution);
+
+  /// The state published as number i, as the kernel has it.
+  evolving::SurfaceMesh Mesh(std::size_t i, const evolving::Execution& execution);
+
+  /// One row for every computed step.
+  void WriteHistory(vtkTable* output) const;
+
+  const evolving::StateSeries& Flow() const { return this->Series; }
+
+private:
+  vtkCellArray* PolygonsOf(const std::shared_ptr<const evolving::SurfaceMesh>& origin);
+
+  std::shared_ptr<const evolving::SurfaceMesh> WrittenOrigin;
+  vtkSmartPointer<vtkCellArray> Polygons; ///< of the origin written last
+  int PointType;
+  bool HasField;
+  evolving::StateSeries Series;
+};
+
+namespace EvolutionArrays
+{
+/// The arrays that a surface has without a field: normals, curvature, co-volume, velocities, psi.
+void WriteShapeArrays(const evolving::StateArrays& arrays, vtkPolyData* output);
+/// The arrays of a surface that no rank but the first has: the same names, no tuples.
+void WriteEmpty(vtkPolyData* output, bool hasField);
+/// The columns of the history without a row.
+void WriteEmptyHistory(vtkTable* output);
+}
+
+#endif

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Algebra/ConjugateGradients.h"
+
+#include "Errors.h"
+#include "ParallelLoops.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace evolving
+{
+
+namespace
+{
+
+/// The preconditioner "diagonal": z_i = r_i / a_ii.
+template <class Value>
+struct Jacobi
+{
+  const std::vector<double>& InverseDiagonal;
+
+  double innerProduct(const std::vector<Value>&, double scaledNorm, const Execution&)
+  {
+    return scaledNorm;
+  }
+  Value z(const std::vector<Value>& r, Index i) const
+  {
+    return this->InverseDiagonal[at(i)] * r[at(i)];
+  }
+};
+
+/// A preconditioner that needs its result stored.
+struct Stored
+{
+  Preconditioner& Inner;
+  std::vector<double> Z;
+
+  double innerProduct(const std::vector<double>& r, double, const Execution& execution)
+  {
+    this->Inner.apply(r, this->Z, execution);
+    return sumEachIndex(execution, static_cast<std::int64_t>(r.size()),
+      [&](Index i) { return r[at(i)] * this->Z[at(i)]; });
+  }
+  double z(const std::vector<double>&, Index i) const { return this->Z[at(i)]; }
+};
+
+[[noreturn]] void throwNotSolved(int iterations, double residual, double tolerance)
+{
+  std::ostringstream message;
+  message << "The linear system has a relative residual of " << residual << " after " << iterations
+          << " iterations, expected " << tolerance
+          << "; a smaller time step, a larger solver tolerance or a mesh without degenerate faces "
+             "helps.";
+  throw SolverError(message.str());
+}
+
+/// One run: the vectors of the method and its loop.
+template <class Value, class Precondition>
+class Iteration
+{
+public:
+  Iteration(const SparseMatrix& matrix, const std::vector<double>& inverseDiagonal,
+    Precondition precondition, const Execution& execution)
+    : A(matrix)
+    , InverseDiagonal(inverseDiagonal)
+    , M(std::move(precondition))
+    , Run(execution)
+  {
+  }
+
+  int solve(const std::vector<Value>& b, std::vector<Value>& x, const SolverLimits& limits)
+  {
+    const double target = limits.tolerance * limits.tolerance * this->scaledNorm(b);
+    if (target == 0.0)
+    {
+      std::fill(x.begin(), x.end(), zero<Value>());
+      return 0;
+    }
+    double norm = this->start(b, x);
+    double product = 0.0;
+    for (int iteration = 0; norm > target; ++iteration)
+    {
+      this->Run.report(iteration / (iteration + 30.0));
+      const double previous = product;
+      product = this->M.innerProduct(this->R, norm, this->Run);
+      this->updateDirection(iteration == 0 ? 0.0 : product / previous);
+      const double curvature = multiplyAndDot(this->A, this->P, this->Q, this->Run);
+      const double step = product / curvature;
+      // NaN fails these comparisons too.
+      if (iteration == limits.maximumIterations || !(curvature > 0.0 && product > 0.0) ||
+        !std::isfinite(step))
+      {
+        throwNotSolved(iteration, std::sqrt(norm / target) * limits.tolerance, limits.tolerance);
+      }
+      norm = this->advance(step, x);
+      this->Iterations = iteration + 1;
+    }
+    if (!std::isfinite(norm))
+    {
+      throwNotSolved(this->Iterations, norm, limits.tolerance);
+    }
+    return this->Iterations;
+  }
+
+private:
+  double scaledNorm(const std::vector<Value>& v) const
+  {
+    return sumEachIndex(this->Run, this->count(),
+      [&](Index i) { return this->InverseDiagonal[at(i)] * dot(v[at(i)], v[at(i)]); });
+  }
+
+  std::int64_t count() const { return this->A.rows(); }
+
+  /// r = b - A x; returns its scaled norm. A guess that is worse than zero, or not finite after
+  /// a solve that failed, is replaced by zero.
+  double start(const std::vector<Value>& b, std::vector<Value>& x)
+  {
+    multiply(this->A, x, this->R, this->Run);
+    forEachIndex(
+      this->Run, this->count(), [&](Index i) { this->R[at(i)] = b[at(i)] - this->R[at(i)]; });
+    double norm = this->scaledNorm(this->R);
+    const double normOfZero = this->scaledNorm(b);
+    if (!(norm <= normOfZero))
+    {
+      std::fill(x.begin(), x.end(), zero<Value>());
+      this->R = b;
+      norm = normOfZero;
+    }
+    this->P = this->R;
+    return norm;
+  }
+
+  void updateDirection(double beta)
+  {
+    forEachIndex(this->Run, this->count(),
+      [&](Index i)
+      {
+        const Value z = this->M.z(this->R, i);
+        this->P[at(i)] = beta == 0.0 ? z : Value(z + beta * this->P[at(i)]);
+      });
+  }
+
+  /// Moves x along p and updates r; returns its scaled norm.
+  double advance(double step, std::vector<Value>& x)
+  {
+    return sumEachIndex(this->Run, this->count(),
+      [&](Index i)
+      {
+        x[at(i)] += step * this->P[at(i)];
+        Value& r = this->R[at(i)];
+        r -= step * this->Q[at(i)];
+        return this->InverseDiagonal[at(i)] * dot(r, r);
+      });
+  }
+
+  const SparseMatrix& A;
+  const std::vector<double>& InverseDiagonal;
+  Precondition M;
+  const Execution& Run;
+  int Iterations = 0;
+  std::vector<Value> R;
+  std::vector<Value> P;
+  std::vector<Value> Q;
+};
+
+} // namespace
+
+int conjugateGradients(const SparseMatrix& A, const std::vector<Vec3>& b, std::vector<Vec3>& x,
+  const SolverLimits& limits, const Execution& execution)
+{
+  const std::vector<double> diagonal = inverseDiagonal(A, execution);
+  Iteration<Vec3, Jacobi<Vec3>> iteration(A, diagonal, { diagonal }, execution);
+  return iteration.solve(b, x, limits);
+}
+
+int conjugateGradients(const SparseMatrix& A, const std::vector<double>& b, std::vector<double>& x,
+  const SolverLimits& limits, const Execution& execution, Preconditioner* preconditioner)
+{
+  const std::vector<double> diagonal = inverseDiagonal(A, execution);
+  if (preconditioner)
+  {
+    Iteration<double, Stored> iteration(A, diagonal, { *preconditioner, {} }, execution);
+    return iteration.solve(b, x, limits);
+  }
+  Iteration<double, Jacobi<double>> iteration(A, diagonal, { diagonal }, execution);
+  return iteration.solve(b, x, limits);
+}
+
+} // namespace evolving

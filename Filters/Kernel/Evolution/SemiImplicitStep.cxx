@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Evolution/SemiImplicitStep.h"
+
+#include "Algebra/ConjugateGradients.h"
+#include "ParallelLoops.h"
+
+#include <algorithm>
+
+namespace evolving
+{
+
+namespace
+{
+
+/// epsilon_i / max epsilon below which a row counts as one without curvature motion.
+constexpr double SmallestEpsilon = 1e-12;
+
+} // namespace
+
+const std::vector<Vec3>& SemiImplicitStep::displacement(const SurfaceGeometry& geometry,
+  const StepInput& input, double tolerance, const Execution& execution)
+{
+  this->markKnown(geometry, input);
+  this->assemble(geometry, input, execution);
+  eliminateKnown(this->IsKnown, this->Known, this->A, this->B, execution);
+  this->guessDisplacement(execution);
+  SolverLimits limits;
+  limits.tolerance = tolerance;
+  this->Iterations = conjugateGradients(this->A, this->B, this->Displacement, limits, execution);
+  return this->Displacement;
+}
+
+void SemiImplicitStep::guessDisplacement(const Execution& execution)
+{
+  this->Displacement.resize(this->B.size(), Vec3::Zero());
+  this->Guess.extrapolate(this->Displacement, execution);
+  forEachIndex(execution, this->A.rows(),
+    [this](Index i)
+    {
+      if (this->IsKnown[at(i)])
+      {
+        this->Displacement[at(i)] = this->Known[at(i)];
+      }
+    });
+}
+
+void SemiImplicitStep::markKnown(const SurfaceGeometry& geometry, const StepInput& input)
+{
+  const double largest = *std::max_element(input.epsilon.begin(), input.epsilon.end());
+  this->IsKnown.resize(input.epsilon.size());
+  this->Known.resize(input.epsilon.size());
+  for (Index i = 0; i < geometry.topology().vertexCount(); ++i)
+  {
+    const bool isGiven = input.isKnown[at(i)] != 0;
+    this->IsKnown[at(i)] = isGiven || input.epsilon[at(i)] <= SmallestEpsilon * largest;
+    this->Known[at(i)] = isGiven ? input.knownDisplacement[at(i)]
+                                 : Vec3(input.timeStep * input.explicitVelocity[at(i)]);
+  }
+}
+
+void SemiImplicitStep::assemble(
+  const SurfaceGeometry& geometry, const StepInput& input, const Execution& execution)
+{
+  const SparseMatrix& L = geometry.volumes().stiffness();
+  const double tau = input.timeStep;
+  if (this->A.nonZeros() != L.nonZeros())
+  {
+    this->A = L;
+  }
+  this->B.resize(at(rowCount(L)));
+  forEachIndex(execution, L.rows(),
+    [&](Index row)
+    {
+      if (this->IsKnown[at(row)])
+      {
+        return; // replaced by eliminateKnown()
+      }
+      const double mu = geometry.coVolumes()[at(row)];
+      const double diagonal = mu / input.epsilon[at(row)];
+      for (Index k = L.outerIndexPtr()[row]; k < L.outerIndexPtr()[row + 1]; ++k)
+      {
+        this->A.valuePtr()[k] =
+          tau * L.valuePtr()[k] + (L.innerIndexPtr()[k] == row ? diagonal : 0.0);
+      }
+      // -L F = mu h
+      this->B[at(row)] = tau *
+        (mu * geometry.curvatureVectors()[at(row)] + diagonal * input.explicitVelocity[at(row)]);
+    });
+}
+
+} // namespace evolving

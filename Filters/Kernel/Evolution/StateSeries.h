@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * All states of an evolution: solved once, kept within a memory limit, handed out in any order.
+ */
+
+#ifndef EVOLVING_STATE_SERIES_H
+#define EVOLVING_STATE_SERIES_H
+
+#include "Evolution/FlowState.h"
+#include "Evolution/SurfaceFlow.h"
+#include "Execution.h"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace evolving
+{
+
+/**
+ * The iterations whose states are published: the start, every interval-th step, the last step,
+ * and in the same way the smoothing steps after it.
+ * @return increasing, beginning with 0; at least one
+ */
+std::vector<int> publishedIterations(int steps, int smoothingSteps, int interval);
+
+/**
+ * A user looks at an evolution forwards, backwards and again; each look must not be a solve. The
+ * series runs the flow once and keeps the published states. When they exceed the memory limit,
+ * every second one is dropped; a dropped state is computed again from the nearest one before it.
+ * What remeshing gave to several states is kept, and counted, once.
+ */
+class StateSeries
+{
+public:
+  /// Makes the flow at its start; called once, and again to recompute dropped states.
+  using MakeFlow = std::function<SurfaceFlow(const Execution&)>;
+
+  /**
+   * Runs the flow to its end.
+   * @param published as publishedIterations() gives them
+   * @param memoryLimit bytes; the first and the last state are kept whatever it is
+   * @throws InputError
+   * @throws Cancelled
+   */
+  StateSeries(MakeFlow makeFlow, std::vector<int> published, std::size_t memoryLimit,
+    const Execution& execution);
+
+  /**
+   * The state published as number i. After convergence or a stop the last state reached.
+   * @throws Cancelled
+   */
+  std::shared_ptr<const FlowState> state(std::size_t i, const Execution& execution);
+
+  /// One record per computed step, the start included.
+  const std::vector<FlowRecord>& history() const { return this->History; }
+  /// As SurfaceFlow::stopReason().
+  const std::string& stopReason() const { return this->StopReason; }
+  /// The iteration of the last state reached.
+  int lastIteration() const { return this->History.back().iteration; }
+
+private:
+  void keep(std::size_t i, const SurfaceFlow& flow);
+  void thinOut();
+  void dropBetweenStrides();
+
+  MakeFlow Make;
+  std::vector<int> Published;
+  std::size_t MemoryLimit;
+  std::size_t Stride = 1; ///< of the states kept; the last one is kept, too
+  std::vector<std::shared_ptr<const FlowState>> States;
+  std::vector<FlowRecord> History;
+  std::string StopReason;
+};
+
+} // namespace evolving
+
+#endif

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Trees/AABBTreeBuilder.h"
+
+#include "ParallelLoops.h"
+
+#include <utility>
+
+namespace evolving
+{
+
+void AABBTreeBuilder::build(AABBTree& tree, const Execution& execution)
+{
+  AABBTreeBuilder builder(tree, execution);
+  TriangleReferences references = builder.allTriangles();
+  if (!references.empty())
+  {
+    builder.addUpper(std::move(references), 0);
+    builder.buildSubtrees();
+    builder.append(builder.Upper.front());
+    tree.Near = WideBoxTree(tree.Nodes, tree.LeafTriangles, builder.LeafBoxes);
+  }
+  execution.report(1.0);
+}
+
+AABBTreeBuilder::AABBTreeBuilder(AABBTree& tree, const Execution& execution)
+  : Tree(tree)
+  , Run(execution)
+{
+  Box root;
+  for (const Triangle& triangle : tree.Triangles)
+  {
+    root.extend(triangle.box());
+  }
+  // Far above the rounding of coordinates, far below anything a triangle could hide behind.
+  constexpr double RelativeEpsilon = 1e-7;
+  this->Epsilon = root.isEmpty() ? 0.0 : RelativeEpsilon * root.sizes().maxCoeff();
+}
+
+TriangleReferences AABBTreeBuilder::allTriangles() const
+{
+  TriangleReferences references(this->Tree.Triangles.size());
+  forEachIndex(this->Run, this->Tree.triangleCount(),
+    [&](Index i) {
+      references[at(i)] = { i, roundedOutwards(this->Tree.triangle(i).box()) };
+    });
+  return references;
+}
+
+std::size_t AABBTreeBuilder::addUpper(TriangleReferences references, int level)
+{
+  constexpr int UpperLevels = 6;
+  constexpr std::size_t WorthAThread = 1000;
+  this->Run.report(0.0);
+  AABBSubtreeBuilder builder(this->Tree.Triangles, this->Epsilon);
+  const std::size_t number = this->Upper.size();
+  this->Upper.emplace_back();
+  this->Upper[number].level = level;
+  const FloatBox box = boxAround(references);
+  TriangleReferences left;
+  TriangleReferences right;
+  if (level < UpperLevels && references.size() > WorthAThread &&
+    builder.split(references, box, level, left, right))
+  {
+    this->Upper[number].box = builder.inflated(box);
+    TriangleReferences().swap(references);
+    const std::size_t leftNumber = this->addUpper(std::move(left), level + 1);
+    const std::size_t rightNumber = this->addUpper(std::move(right), level + 1);
+    this->Upper[number].left = leftNumber;
+    this->Upper[number].right = rightNumber;
+  }
+  else
+  {
+    this->Upper[number].references = std::move(references);
+  }
+  return number;
+}
+
+void AABBTreeBuilder::buildSubtrees()
+{
+  this->Run.forRangeReporting(static_cast<std::int64_t>(this->Upper.size()), 1,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t i = begin; i < end; ++i)
+      {
+        UpperNode& upper = this->Upper[static_cast<std::size_t>(i)];
+        if (!upper.hasHalves())
+        {
+          AABBSubtreeBuilder builder(this->Tree.Triangles, this->Epsilon);
+          upper.subtree = builder.build(std::move(upper.references), upper.level);
+        }
+      }
+    });
+}
+
+Index AABBTreeBuilder::append(const UpperNode& upper)
+{
+  if (!upper.hasHalves())
+  {
+    return this->append(upper.subtree);
+  }
+  const auto node = static_cast<Index>(this->Tree.Nodes.size());
+  this->Tree.Nodes.emplace_back();
+  this->Tree.Nodes.back().box = upper.box;
+  this->Tree.Levels.push_back(static_cast<std::int8_t>(upper.level));
+  const Index left = this->append(this->Upper[upper.left]);
+  const Index right = this->append(this->Upper[upper.right]);
+  this->Tree.Nodes[at(node)].left = left;
+  this->Tree.Nodes[at(node)].right = right;
+  return node;
+}
+
+Index AABBTreeBuilder::append(const AABBSubtree& subtree)
+{
+  const auto node = static_cast<Index>(this->Tree.Nodes.size());
+  const auto leafTriangle = static_cast<Index>(this->Tree.LeafTriangles.size());
+  for (BoxNode next : subtree.nodes)
+  {
+    next.left += next.isLeaf() ? 0 : node;
+    next.right += next.right == NoIndex ? 0 : node;
+    next.firstTriangle += next.isLeaf() ? leafTriangle : 0;
+    this->Tree.Nodes.push_back(next);
+  }
+  const auto addTo = [](auto& all, const auto& some)
+  { all.insert(all.end(), some.begin(), some.end()); };
+  addTo(this->Tree.Levels, subtree.levels);
+  addTo(this->Tree.LeafTriangles, subtree.leafTriangles);
+  addTo(this->LeafBoxes, subtree.leafBoxes);
+  return node;
+}
+
+} // namespace evolving

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * A ray against triangles and boxes.
+ */
+
+#ifndef EVOLVING_RAY_H
+#define EVOLVING_RAY_H
+
+#include "Trees/TriangleGeometry.h"
+#include "Types.h"
+
+#include <array>
+#include <optional>
+
+namespace evolving
+{
+
+/**
+ * A ray prepared for many triangles (Woop, Benthin, Wald, Watertight Ray/Triangle Intersection,
+ * 2013). A ray through an edge shared by two triangles hits exactly one of them if it passes
+ * from one to the other, so that the parity of the hits is that of the crossings.
+ */
+class Ray
+{
+public:
+  /// @param direction not zero; its length is the unit of the ray's parameter
+  Ray(const Vec3& origin, const Vec3& direction);
+
+  /// The parameter, >= 0, at which the ray crosses the triangle; none when it does not.
+  std::optional<double> hit(const Triangle& triangle) const;
+  /// Does the ray meet a closed box?
+  bool meets(const Box& box) const;
+
+private:
+  Vec3 Origin;
+  Vec3 Direction;
+  std::array<int, 3> Axes; ///< the last one is the direction's longest
+  Vec3 Shear;
+};
+
+} // namespace evolving
+
+#endif

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * A tree of boxes for the question "which is closest", laid out for SIMD registers.
+ */
+
+#ifndef EVOLVING_WIDE_BOX_TREE_H
+#define EVOLVING_WIDE_BOX_TREE_H
+
+#include "Trees/BoxNode.h"
+#include "Trees/FloatBox.h"
+#include "Types.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace evolving
+{
+
+/// Some boxes side by side. Where there is none, its place is infinitely far from everything.
+class BoxRow
+{
+public:
+  static constexpr int Length = 8;
+  using Lanes = Eigen::Array<float, Length, 1>;
+
+  BoxRow();
+  void set(int place, const FloatBox& box);
+
+  /// The squared distances from a point to the boxes, each grown by a margin; 0 inside.
+  Lanes squaredGaps(const Eigen::Vector3f& point, float margin) const
+  {
+    Lanes sum = Lanes::Zero();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const float p = point[static_cast<Eigen::Index>(axis)];
+      const Lanes gap = (this->Minimum[axis] - p).max(p - this->Maximum[axis]) - margin;
+      sum += gap.max(0.0F).square();
+    }
+    return sum;
+  }
+
+private:
+  std::array<Lanes, 3> Minimum;
+  std::array<Lanes, 3> Maximum;
+};
+
+/**
+ * A binary tree of boxes over triangles with three of its levels in one, and the boxes of a
+ * leaf's triangles in place of the leaf's. Its floats count from the middle of the root in half
+ * sizes of it; their rounding lets a triangle too much pass, never one too few.
+ */
+class WideBoxTree
+{
+public:
+  WideBoxTree() = default;
+  /**
+   * @param nodes of the binary tree, the root first
+   * @param leafTriangles of all leaves one after the other
+   * @param leafBoxes around the part of each in its leaf
+   */
+  WideBoxTree(const std::vector<BoxNode>& nodes, const std::vector<Index>& leafTriangles,
+    const std::vector<FloatBox>& leafBoxes);
+
+  /**
+   * Calls squaredBound = visit(triangle) for those whose boxes come at least as near to a point
+   * as the bound says then; near ones first, some more than once.
+   */
+  template <typename Visit>
+  void visitNear(const Vec3& point, double squaredBound, const Visit& visit) const;
+
+private:
+  friend class WideBoxTreeBuilder;
+
+  /// A node's number, or ~number for a triangle.
+  struct Pending
+  {
+    Index child;
+    float squaredGap;
+  };
+  struct Node
+  {
+    BoxRow boxes;
+    std::array<Index, BoxRow::Length> children{}; ///< as in Pending
+    int childCount = 0;
+  };
+  /// On each level all but one wait: those of the binary tree, and of leaves with many triangles.
+  static constexpr std::size_t MostPending = (BoxRow::Length - 1) * (BoxNode::MostLevels + 11) + 1;
+
+  /// To where the floats count from; never farther away than the point.
+  Eigen::Vector3f local(const Vec3& point) const
+  {
+    constexpr double Farthest = 1e6;
+    const Vec3 inHalfSizes = this->InverseHalfSize * (point - this->Middle);
+    return inHalfSizes.cwiseMax(-Farthest).cwiseMin(Farthest).cast<float>();
+  }
+  float localSquare(double square) const
+  {
+    constexpr double RoundedUp = 1.0 + 1e-6;
+    return static_cast<float>(RoundedUp * this->InverseHalfSize * this->InverseHalfSize * square);
+  }
+
+  std::vector<Node> Nodes;
+  Vec3 Middle = Vec3::Zero();
+  double InverseHalfSize = 1.0;
+};
+
+template <typename Visit>
+void WideBoxTree::visitNear(const Vec3& point, double squaredBound, const Visit& visit) const
+{
+  constexpr float Rounding = 2.5e-7F; // of the point, and of its differences from the boxes
+  const Eigen::Vector3f p = this->local(point);
+  const float margin = Rounding * (1.0F + p.cwiseAbs().maxCoeff());
+  float bound = this->localSquare(squaredBound);
+  std::array<Pending, MostPending> stack; // queries allocate nothing
+  std::size_t size = 0;
+  if (!this->Nodes.empty())
+  {
+    stack[size++] = { 0, 0.0F };
+  }
+  while (size > 0)
+  {
+    const Pending next = stack[--size];
+    if (next.squaredGap > bound)
+    {
+      continue;
+    }
+    if (next.child < 0)
+    {
+      bound = this->localSquare(visit(~next.child));
+      continue;
+    }
+    const Node& node = this->Nodes[static_cast<std::size_t>(next.child)];
+    const BoxRow::Lanes gaps = node.boxes.squaredGaps(p, margin);
+    const std::size_t first = size;
+    for (int k = 0; k < node.childCount; ++k)
+    {
+      if (gaps[k] <= bound)
+      {
+        std::size_t place = size++;
+        for (; place > first && stack[place - 1].squaredGap < gaps[k]; --place)
+        {
+          stack[place] = stack[place - 1];
+        }
+        stack[place] = { node.children[static_cast<std::size_t>(k)], gaps[k] };
+      }
+    }
+  }
+}
+
+} // namespace evolving
+
+#endif

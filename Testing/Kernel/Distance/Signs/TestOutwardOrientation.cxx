@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Distance/Signs/OutwardOrientation.h"
+
+#include "Distance/DistanceShapes.h"
+
+#include <gtest/gtest.h>
+
+using namespace evolving;
+using namespace evolving::test;
+
+namespace
+{
+
+/// Twisted by half a turn: one-sided.
+SurfaceMesh moebiusStrip(int count)
+{
+  SurfaceMesh mesh;
+  for (int n = 0; n < count; ++n)
+  {
+    const double u = 2.0 * Pi * n / count;
+    for (const double v : { -0.3, 0.3 })
+    {
+      const double r = 1.0 + v * std::cos(u / 2);
+      mesh.addPoint(Vec3(r * std::cos(u), r * std::sin(u), v * std::sin(u / 2)));
+    }
+  }
+  for (Index n = 0; n < count; ++n)
+  {
+    const bool last = n + 1 == count;
+    const Index low = last ? 1 : 2 * n + 2;
+    const Index high = last ? 0 : 2 * n + 3;
+    mesh.addFace({ 2 * n, low, high });
+    mesh.addFace({ 2 * n, high, 2 * n + 1 });
+  }
+  return mesh;
+}
+
+} // namespace
+
+TEST(OutwardOrientation, LeavesAnOutwardSurfaceAlone)
+{
+  const SurfaceMesh mesh = torus(1.0, 0.3, 20, 10);
+  SurfaceMesh oriented = mesh;
+  const OrientationSummary summary = orientOutwards(oriented);
+  EXPECT_EQ(oriented.cornerVertices, mesh.cornerVertices);
+  EXPECT_EQ(summary.turnedFaces, 0);
+  EXPECT_EQ(summary.components, 1);
+  EXPECT_TRUE(summary.isClosed());
+  EXPECT_TRUE(summary.isOriented());
+  EXPECT_FALSE(summary.componentsOverlap);
+  EXPECT_EQ(summary.openLength, 0.0);
+}
+
+TEST(OutwardOrientation, TurnsAnInsideOutSurface)
+{
+  SurfaceMesh mesh = insideOut(sphere(2));
+  const OrientationSummary summary = orientOutwards(mesh);
+  EXPECT_EQ(summary.turnedFaces, mesh.faceCount());
+  EXPECT_NEAR(signedVolume(mesh), signedVolume(sphere(2)), 1e-12);
+}
+
+TEST(OutwardOrientation, TurnsSingleFaces)
+{
+  SurfaceMesh mesh = turned(sphere(2), [](Index face) { return face % 4 == 1; });
+  const OrientationSummary summary = orientOutwards(mesh);
+  EXPECT_EQ(summary.turnedFaces, mesh.faceCount() / 4);
+  EXPECT_TRUE(summary.isOriented());
+  EXPECT_NEAR(signedVolume(mesh), signedVolume(sphere(2)), 1e-12);
+}
+
+TEST(OutwardOrientation, TurnsSeparateComponentsSeparately)
+{
+  SurfaceMesh mesh = merged(sphere(2), insideOut(sphere(2, 1.0, Vec3(3, 0, 0))));
+  const OrientationSummary summary = orientOutwards(mesh);
+  EXPECT_EQ(summary.components, 2);
+  EXPECT_FALSE(summary.componentsOverlap);
+  EXPECT_NEAR(signedVolume(mesh), 2.0 * signedVolume(sphere(2)), 1e-12);
+}
+
+TEST(OutwardOrientation, KeepsACavityHollow)
+{
+  const double shell = signedVolume(sphere(2)) * (1.0 - 0.125);
+  const SurfaceMesh hollow = merged(sphere(2), insideOut(sphere(2, 0.5)));
+  for (SurfaceMesh mesh : { hollow, insideOut(hollow) })
+  {
+    const OrientationSummary summary = orientOutwards(mesh);
+    EXPECT_TRUE(summary.componentsOverlap);
+    EXPECT_NEAR(signedVolume(mesh), shell, 1e-12);
+  }
+}
+
+TEST(OutwardOrientation, TurnsAnOpenBowlButNotASheet)
+{
+  SurfaceMesh inward = insideOut(bowl(3, 0.3));
+  const OrientationSummary summary = orientOutwards(inward);
+  EXPECT_EQ(summary.turnedFaces, inward.faceCount());
+  EXPECT_GT(summary.boundaryEdges, 0);
+  EXPECT_NEAR(summary.openLength, 2.0 * Pi * std::sqrt(1.0 - 0.09), 0.6);
+  SurfaceMesh sheet = triangleMesh(Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(1, 0, 0));
+  EXPECT_EQ(orientOutwards(sheet).turnedFaces, 0);
+  EXPECT_NEAR(orientOutwards(sheet).openLength, 2.0 + std::sqrt(2.0), 1e-12);
+}
+
+TEST(OutwardOrientation, ReportsAOneSidedSurface)
+{
+  SurfaceMesh mesh = moebiusStrip(24);
+  const OrientationSummary summary = orientOutwards(mesh);
+  EXPECT_FALSE(summary.isOriented());
+  EXPECT_FALSE(summary.isClosed());
+}
+
+TEST(OutwardOrientation, ReportsEdgesOfMoreThanTwoFaces)
+{
+  // Two boxes that share an edge: closed in the sense of chains, but not a manifold.
+  SurfaceMesh mesh;
+  const SurfaceMesh soup =
+    merged(box(Vec3(0, 0, 0), Vec3(1, 1, 1)), box(Vec3(1, 1, 0), Vec3(2, 2, 1)));
+  mesh = weldCoincidentPoints(soup);
+  const OrientationSummary summary = orientOutwards(mesh);
+  EXPECT_EQ(summary.nonManifoldEdges, 1);
+  EXPECT_EQ(summary.boundaryEdges, 0);
+  EXPECT_EQ(summary.openLength, 0.0);
+  EXPECT_NEAR(signedVolume(mesh), 2.0, 1e-12);
+}

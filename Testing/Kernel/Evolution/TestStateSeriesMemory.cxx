@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What a series of states really holds, as the allocator counts it.
+
+#include "Evolution/StateSeries.h"
+
+#include "Evolution/EvolutionShapes.h"
+#include "Evolution/Remeshers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#if defined(__GLIBC__) && (__GLIBC__ > 2 || __GLIBC_MINOR__ >= 33)
+#include <malloc.h>
+#endif
+
+using namespace evolving;
+
+namespace
+{
+
+constexpr int Steps = 150;
+constexpr double MiB = 1024.0 * 1024.0;
+
+/// Bytes that are allocated now; 0 where nobody counts them.
+double bytesInUse()
+{
+#if defined(__GLIBC__) && (__GLIBC__ > 2 || __GLIBC_MINOR__ >= 33)
+  const struct mallinfo2 counts = mallinfo2();
+  return static_cast<double>(counts.uordblks + counts.hblkhd);
+#else
+  return 0.0;
+#endif
+}
+
+/// Sanitizers bring an allocator of their own, which is not counted.
+bool allocatorCounts()
+{
+  const double before = bytesInUse();
+  const std::vector<char> block(1 << 20, 'x');
+  return bytesInUse() - before >= MiB && block.back() == 'x';
+}
+
+/// Memory in MiB: held when the series is there, and at most while it was made.
+struct Memory
+{
+  double held = 0.0;
+  double peak = 0.0;
+};
+
+/// Of a flow with 2562 vertices, which publishes every interval-th of its 150 steps.
+Memory memoryOfASeries(
+  double limit, int interval, const std::shared_ptr<Remesher>& remesher = nullptr)
+{
+  FlowOptions options;
+  options.relativeUnits = false;
+  options.timeStep = 1e-4;
+  options.numberOfSteps = Steps;
+  options.redistribution.volume = 1.0;
+  const auto start = std::make_shared<const SurfaceMesh>(shapes::bumpySphere(4));
+  const auto field = shapes::sphereField(24, 2.0, 0.5);
+  const double before = bytesInUse();
+  double peak = before;
+  const Execution watched(
+    nullptr, [&peak](double) { peak = std::max(peak, bytesInUse()); }, nullptr);
+  const StateSeries series([=](const Execution& host)
+    { return SurfaceFlow(start, field, remesher, options, host); },
+    publishedIterations(Steps, 0, interval), static_cast<std::size_t>(limit * MiB), watched);
+  EXPECT_EQ(series.lastIteration(), Steps);
+  return { (bytesInUse() - before) / MiB, (peak - before) / MiB };
+}
+
+/// Points, gradients, normals, velocities, and six numbers a vertex.
+constexpr double OneState = 2562 * (4 * 3 + 6) * sizeof(double) / MiB;
+
+} // namespace
+
+TEST(FlowSeriesMemory, ASeriesHoldsItsStatesAndLittleElse)
+{
+  if (!allocatorCounts())
+  {
+    GTEST_SKIP() << "this allocator does not count";
+  }
+  const Memory all = memoryOfASeries(1000.0, 1);
+  EXPECT_GT(all.held, (Steps + 1) * OneState);
+  EXPECT_LT(all.held, 1.02 * (Steps + 1) * OneState);
+}
+
+TEST(FlowSeriesMemory, TheLimitHoldsDuringTheSolveToo)
+{
+  if (!allocatorCounts())
+  {
+    GTEST_SKIP() << "this allocator does not count";
+  }
+  // The flow's own memory, with the first and the last state alone.
+  const Memory ends = memoryOfASeries(1000.0, Steps);
+  for (const double limit : { 2.0, 8.0, 16.0 })
+  {
+    const Memory series = memoryOfASeries(limit, 1);
+    // The history is no state.
+    EXPECT_LT(series.held, limit + 0.1) << limit;
+    EXPECT_GT(series.held, 0.45 * limit) << limit;
+    // One state more is there before they are thinned out, as many as the ends' peak has.
+    EXPECT_LT(series.peak, ends.peak + limit + 0.1) << limit;
+  }
+}
+
+TEST(FlowSeriesMemory, TheLimitHoldsWithNewElementsInEveryStep)
+{
+  if (!allocatorCounts())
+  {
+    GTEST_SKIP() << "this allocator does not count";
+  }
+  for (const double limit : { 4.0, 16.0 })
+  {
+    const Memory series = memoryOfASeries(limit, 1, remeshers::renumberer());
+    EXPECT_LT(series.held, limit + 0.1) << limit;
+    EXPECT_GT(series.held, 0.45 * limit) << limit;
+  }
+}
+
+TEST(FlowSeriesMemory, TheEndsAreKeptWhateverTheLimit)
+{
+  if (!allocatorCounts())
+  {
+    GTEST_SKIP() << "this allocator does not count";
+  }
+  const Memory least = memoryOfASeries(0.0, 1);
+  EXPECT_GT(least.held, 2 * OneState);
+  EXPECT_LT(least.held, 2 * OneState + 0.1);
+}
