@@ -39,7 +39,7 @@ std::string complaint(const std::function<void(ShrinkWrapOptions&)>& change)
 
 TEST(ShrinkWrapOptions, DefaultsPass)
 {
-  EXPECT_NO_THROW(checkOptions({}));
+  EXPECT_NO_THROW(checkOptions(ShrinkWrapOptions()));
 }
 
 TEST(ShrinkWrapOptions, LengthsAreFiniteAndNotNegative)
