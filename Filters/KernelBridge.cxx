@@ -141,9 +141,9 @@ int RunToOutputs(vtkAlgorithm* filter, const std::vector<vtkDataObject*>& output
 }
 
 //------------------------------------------------------------------------------
-bool AreValidBounds(const double bounds[6])
+bool IsAutomatic(const double bounds[6])
 {
-  return bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5];
+  return bounds[0] > bounds[1] && bounds[2] > bounds[3] && bounds[4] > bounds[5];
 }
 
 //------------------------------------------------------------------------------
@@ -151,7 +151,7 @@ evolving::DistanceGrid MakeGrid(
   const evolving::Box& box, const int dimensions[3], const double bounds[6], double padding)
 {
   const std::array<int, 3> samples = { dimensions[0], dimensions[1], dimensions[2] };
-  if (!AreValidBounds(bounds))
+  if (IsAutomatic(bounds))
   {
     return evolving::gridAround(box, samples, padding);
   }

@@ -136,10 +136,12 @@ void WritePoints(const std::vector<evolving::Vec3>& points, int pointType, vtkPo
 
 ///@{
 /**
- * SampleDimensions, ModelBounds and Padding of the filters that sample: the bounds as they are
- * when they are valid, otherwise the padded box with cubic cells.
+ * SampleDimensions, ModelBounds and Padding of the filters that sample. Bounds that end before
+ * they begin along all three axes, as VTK's uninitialised ones, stand for the padded box with cubic
+ * cells; others are the grid's as they are.
+ * @throws evolving::InputError for bounds that are no box, and a padding that is no number
  */
-bool AreValidBounds(const double bounds[6]);
+bool IsAutomatic(const double bounds[6]);
 evolving::DistanceGrid MakeGrid(
   const evolving::Box& box, const int dimensions[3], const double bounds[6], double padding);
 ///@}
@@ -184,7 +186,8 @@ int RefuseUnlessEmpty(vtkAlgorithm* filter, vtkPolyData* input);
 void RequireMemory(
   evolving::GridIndex samples, const evolving::SignedDistanceOptions& options = {});
 
-/// A number that changes when points, cells, image samples or their layout change.
+/// A number that changes when points, their type, cells, image samples or their layout change: all
+/// of a data set that the filters' outputs depend on.
 std::uint64_t ContentHash(vtkDataSet* data);
 
 } // namespace KernelBridge

@@ -3,8 +3,8 @@
 
 #include "vtkShrinkWrap.h"
 
-#include "ContentStamp.h"
 #include "DistributedInput.h"
+#include "EvolutionCache.h"
 #include "EvolutionOutput.h"
 #include "KernelBridge.h"
 #include "TimeSteps.h"
@@ -60,24 +60,11 @@ evolving::SurfaceMesh ReadTarget(vtkPolyData* input)
 } // namespace
 
 //------------------------------------------------------------------------------
-/// The last solve, and what it was a solve of.
-struct vtkShrinkWrap::Cache
+/// The last solve, and what is said of it.
+struct vtkShrinkWrap::Cache : EvolutionCache<evolving::ShrinkWrapOptions>
 {
-  ContentStamp Input;
-  evolving::ShrinkWrapOptions Options;
-  std::unique_ptr<EvolutionOutput> Series;
   evolving::SurfaceReport Report;
   std::vector<std::string> Shortcomings;
-
-  /// Forgets the series unless it is the one of this input and these options.
-  void Check(vtkPolyData* input, const evolving::ShrinkWrapOptions& options)
-  {
-    if (this->Input.Update(input) || !(options == this->Options))
-    {
-      this->Series.reset();
-    }
-    this->Options = options;
-  }
 };
 
 //------------------------------------------------------------------------------
@@ -189,7 +176,7 @@ int vtkShrinkWrap::RequestData(
   return KernelBridge::RunToOutputs(this, { output, history },
     [&](const evolving::Execution& execution)
     {
-      this->Solved->Check(input, this->Options());
+      this->Solved->Check({ input }, this->Options());
       if (!this->Solved->Series)
       {
         this->Solve(input, execution);

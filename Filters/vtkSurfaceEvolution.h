@@ -50,8 +50,9 @@
 #include "vtkEvolvingSurfacesFiltersModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <memory> // For std::unique_ptr
-#include <vector> // For the published iterations
+#include <memory>   // For std::unique_ptr
+#include <optional> // For the options of remeshing
+#include <vector>   // For the published iterations
 
 class DistributedInput;
 class EvolutionOutput;
@@ -61,9 +62,8 @@ class vtkPolyData;
 namespace evolving
 {
 class Execution;
-class Remesher;
 struct FlowOptions;
-struct SurfaceMesh;
+struct SurfaceRemeshingOptions;
 }
 
 class VTKEVOLVINGSURFACESFILTERS_EXPORT vtkSurfaceEvolution : public vtkPolyDataAlgorithm
@@ -421,7 +421,7 @@ private:
   void operator=(const vtkSurfaceEvolution&) = delete;
 
   evolving::FlowOptions Options() const;
-  std::shared_ptr<evolving::Remesher> NewElements(const evolving::SurfaceMesh& start) const;
+  std::optional<evolving::SurfaceRemeshingOptions> RemeshingOptions() const;
   std::unique_ptr<EvolutionOutput> Solve(vtkPolyData* input, vtkImageData* field,
     const std::vector<int>& published, const evolving::Execution& execution);
 

@@ -11,6 +11,8 @@
 
 #include "Redistribution/RedistributionOptions.h"
 
+#include <tuple>
+
 namespace evolving
 {
 
@@ -51,6 +53,20 @@ struct FlowOptions
     return this->smoothingSteps > 0 && iteration >= this->numberOfSteps;
   }
 };
+
+/// All of them: a new one does not compile before it is listed here.
+inline auto membersOf(const FlowOptions& options)
+{
+  const auto& [timeStep, numberOfSteps, curvatureSpeed, curvatureRange, advectionSpeed,
+    advectionBalance, relativeUnits, fieldMode, edgeSharpness, unsignedField, redistribution,
+    smoothingSteps, smoothingSpeed, smoothingDecay, boundaryMode, surfaceGuard,
+    convergenceTolerance, stallSteps, longestAdvection, remeshingInterval, solverTolerance] =
+    options;
+  return std::tie(timeStep, numberOfSteps, curvatureSpeed, curvatureRange, advectionSpeed,
+    advectionBalance, relativeUnits, fieldMode, edgeSharpness, unsignedField, redistribution,
+    smoothingSteps, smoothingSpeed, smoothingDecay, boundaryMode, surfaceGuard,
+    convergenceTolerance, stallSteps, longestAdvection, remeshingInterval, solverTolerance);
+}
 
 bool operator==(const FlowOptions& a, const FlowOptions& b);
 

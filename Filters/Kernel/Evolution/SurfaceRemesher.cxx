@@ -8,6 +8,7 @@
 #include "Mesh/MeshTopology.h"
 #include "Mesh/SelfIntersections.h"
 #include "ParallelLoops.h"
+#include "ParameterRange.h"
 #include "Redistribution/VanishedComponents.h"
 #include "Remeshing/CurvedReference.h"
 #include "Remeshing/EditableSurface.h"
@@ -168,10 +169,20 @@ void renew(EditableSurface& surface, const ReferenceSurface& reference,
 
 } // namespace
 
+void checkOptions(const SurfaceRemeshingOptions& options)
+{
+  // Squares of lengths in this range, and their quotients, are numbers.
+  constexpr double Smallest = 1e-100;
+  constexpr double Largest = 1e100;
+  checkRangeOrZero("TargetEdgeLength", options.edgeLength, Smallest, Largest,
+    "0 means the mean of the input's edges");
+}
+
 SurfaceRemesher::SurfaceRemesher(const SurfaceMesh& start, const SurfaceRemeshingOptions& options)
   : Options(options)
   , SmallestComponent(smallestComponentOf(start))
 {
+  checkOptions(options);
   if (!(options.edgeLength > 0.0))
   {
     this->Options.edgeLength = meanEdgeLength(start);

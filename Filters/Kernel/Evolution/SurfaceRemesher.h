@@ -14,6 +14,8 @@
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
 
+#include <tuple>
+
 namespace evolving
 {
 
@@ -31,6 +33,21 @@ struct SurfaceRemeshingOptions
   BoundaryMode boundaryMode = BoundaryMode::Fixed;
 };
 
+/// All of them: a new one does not compile before it is listed here.
+inline auto membersOf(const SurfaceRemeshingOptions& options)
+{
+  const auto& [sizing, edgeLength, boundaryMode] = options;
+  return std::tie(sizing, edgeLength, boundaryMode);
+}
+
+inline bool operator==(const SurfaceRemeshingOptions& a, const SurfaceRemeshingOptions& b)
+{
+  return membersOf(a) == membersOf(b);
+}
+
+/// @throws InputError for an edge length that is neither 0 nor a number from 1e-100 to 1e100
+void checkOptions(const SurfaceRemeshingOptions& options);
+
 /**
  * Splits, collapses and flips edges and relaxes vertices along the smooth surface that the evolved
  * triangles stand for (CurvedReference), so that remeshing again and again does not shrink it.
@@ -46,7 +63,7 @@ struct SurfaceRemeshingOptions
 class SurfaceRemesher : public Remesher
 {
 public:
-  /// @param start of triangles. @throws InputError as MeshTopology
+  /// @param start of triangles. @throws InputError as MeshTopology and checkOptions()
   SurfaceRemesher(const SurfaceMesh& start, const SurfaceRemeshingOptions& options);
 
   /// What edges should be as long as, in the mean.

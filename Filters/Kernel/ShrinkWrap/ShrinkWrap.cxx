@@ -3,6 +3,7 @@
 
 #include "ShrinkWrap/ShrinkWrap.h"
 
+#include "Errors.h"
 #include "ParallelLoops.h"
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/SizingField.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -69,6 +71,21 @@ void requireFewAtTarget(const SurfaceMesh& start, double edgeLength)
   EditableSurface surface(start);
   setUniformSizes(surface, sizeForEdges(edgeLength));
   requireFewVertices(surface, edgeLength);
+}
+
+/// A grid of cells far larger than the target may have no sample inside the start level.
+void requireFaces(const SurfaceMesh& start, const WrapTarget& target, double gapSize)
+{
+  if (start.faceCount() > 0)
+  {
+    return;
+  }
+  std::ostringstream message;
+  message
+    << "SampleDimensions and a GapSize of " << gapSize << " give cells of " << target.cellSize()
+    << " that do not see the input, which is " << target.box.sizes().maxCoeff()
+    << " long, expected cells smaller than the input; set a smaller GapSize, or more samples.";
+  throw InputError(message.str());
 }
 
 /// A sphere around the target that its flow can leave in triangles of the largest size.
@@ -127,6 +144,7 @@ ShrinkWrapProblem prepareShrinkWrap(
     : region.boundary(execution.phase(0.7, 0.8));
   if (options.start == WrapStart::Isosurface)
   {
+    requireFaces(start, *target, options.gapSize);
     requireFewAtTarget(start, target->edgeLength);
   }
   std::vector<double> distance;

@@ -10,6 +10,7 @@
 #define EVOLVING_SHRINK_WRAP_OPTIONS_H
 
 #include <array>
+#include <tuple>
 
 namespace evolving
 {
@@ -34,9 +35,21 @@ struct ShrinkWrapOptions
   double offsetDistance = 0.0;   ///< of the result from the target, outwards
 };
 
+/// All of them: a new one does not compile before it is listed here.
+inline auto membersOf(const ShrinkWrapOptions& options)
+{
+  const auto& [start, sampleDimensions, targetEdgeLength, gapSize, adaptToCurvature,
+    preserveFeatures, featureAngle, numberOfSteps, offsetDistance] = options;
+  return std::tie(start, sampleDimensions, targetEdgeLength, gapSize, adaptToCurvature,
+    preserveFeatures, featureAngle, numberOfSteps, offsetDistance);
+}
+
 bool operator==(const ShrinkWrapOptions& a, const ShrinkWrapOptions& b);
 
-/// @throws InputError for lengths that are negative or not finite, and numbers out of range
+/**
+ * @throws InputError for lengths that are negative, not finite or above 1e31, an edge length below
+ * 1e-31 that is not 0, and numbers out of range
+ */
 void checkOptions(const ShrinkWrapOptions& options);
 
 /// The number of steps, resolved.

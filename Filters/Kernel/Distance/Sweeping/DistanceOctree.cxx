@@ -22,7 +22,19 @@ void requireCubic(const DistanceGrid& grid)
     std::ostringstream message;
     message << "The octree needs cubic cells, got cells of " << grid.spacing.x() << " x "
             << grid.spacing.y() << " x " << grid.spacing.z()
-            << "; choose the method ClosestPoint, or bounds and dimensions that give cubes.";
+            << "; set ModelBounds and SampleDimensions that give cubes, or an automatic box.";
+    throw InputError(message.str());
+  }
+}
+
+void requireFewCells(std::size_t cells, std::size_t most, int side)
+{
+  if (cells > most)
+  {
+    std::ostringstream message;
+    message << "The octree has " << cells << " cells of " << side
+            << " samples along each side, expected at most " << most
+            << " of any size; lower SampleDimensions.";
     throw InputError(message.str());
   }
 }
@@ -42,8 +54,8 @@ std::array<int, 2> samplesAround(const DistanceGrid& grid, int axis, double low,
 
 } // namespace
 
-DistanceOctree::DistanceOctree(
-  const AABBTree& tree, const DistanceGrid& grid, const Execution& execution, int maximumDepth)
+DistanceOctree::DistanceOctree(const AABBTree& tree, const DistanceGrid& grid,
+  const Execution& execution, int maximumDepth, std::size_t mostCells)
   : Grid(grid)
 {
   requireCubic(grid);
@@ -61,6 +73,7 @@ DistanceOctree::DistanceOctree(
       this->Levels.clear(); // the root met the mesh's box, but no cell with a sample the mesh
       break;
     }
+    requireFewCells(children.size(), mostCells, children.front().side);
     this->Levels.push_back(std::move(children));
   }
   this->measureLeaves(tree, execution.phase(0.7, 1.0));

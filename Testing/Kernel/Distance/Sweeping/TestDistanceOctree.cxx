@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <set>
 
 using namespace evolving;
@@ -151,6 +152,20 @@ TEST(DistanceOctree, RefusesCellsThatAreNoCubes)
 {
   const DistanceGrid grid = gridOver(Box(Vec3(-1, -1, -1), Vec3(1, 1, 1)), { 10, 20, 10 });
   EXPECT_THROW(DistanceOctree(AABBTree(sphere(1)), grid), InputError);
+}
+
+TEST(DistanceOctree, StopsBeforeItHasMoreCellsThanAllowed)
+{
+  const AABBTree tree(sphere(2));
+  const DistanceGrid grid = gridAround(Box(Vec3(-1, -1, -1), Vec3(1, 1, 1)), { 32, 32, 32 }, 0.1);
+  const int anyDepth = std::numeric_limits<int>::max();
+  const std::size_t leaves = DistanceOctree(tree, grid).leaves().size();
+  EXPECT_EQ(DistanceOctree(tree, grid, {}, anyDepth, leaves).leaves().size(), leaves);
+  EXPECT_THROW(DistanceOctree(tree, grid, {}, anyDepth, leaves - 1), InputError);
+  // Of a grid that would never fit, no more than a few levels are made.
+  const DistanceGrid huge =
+    gridAround(Box(Vec3(-1, -1, -1), Vec3(1, 1, 1)), { 65536, 65536, 65536 }, 0.1);
+  EXPECT_THROW(DistanceOctree(tree, huge, {}, anyDepth, 1000), InputError);
 }
 
 TEST(DistanceOctree, IsTheSameForAnyNumberOfThreads)
