@@ -7,6 +7,7 @@
 #include "Remeshing/EdgeCollapsing.h"
 #include "Remeshing/FaceShape.h"
 #include "Remeshing/StarOptimization.h"
+#include "Remeshing/SurfacePatch.h"
 
 #include <algorithm>
 #include <functional>
@@ -26,6 +27,8 @@ constexpr double WantedAngle = 46.0;
 constexpr int StarRounds = 3;
 /// More bad triangles than this are no place to repair but a surface to remesh.
 constexpr std::size_t MostFaces = 300;
+/// So many rings of vertices around a bad triangle make room for it.
+constexpr int Rings = 2;
 
 double angleOf(const EditableSurface& surface, Index f)
 {
@@ -95,36 +98,44 @@ public:
   {
     this->Corners = { this->Surface.from(3 * face), this->Surface.from(3 * face + 1),
       this->Surface.from(3 * face + 2) };
-    const EditableSurface before = this->Surface;
-    EditableSurface best = before;
-    double bestAngle = smallestAngleAt(before, ringsAround(before, this->Corners, 2)) + LeastGain;
-    bool isBetter = false;
-    const auto attempt = [&](const std::function<bool()>& operation)
+    // Operations change the connectivity within the first ring, and stars move in the second.
+    const std::vector<Index> around = ringsAround(this->Surface, this->Corners, Rings);
+    const SurfacePatch before(this->Surface, around);
+    double bestAngle = smallestAngleAt(this->Surface, around) + LeastGain;
+    std::function<bool()> best;
+    for (const std::function<bool()>& operation : this->operationsOn(face))
     {
-      if (operation())
+      const double angle = operation() ? this->improvedAngle() : 0.0;
+      if (angle > bestAngle)
       {
-        const double angle = this->improvedAngle();
-        if (angle > bestAngle)
-        {
-          bestAngle = angle;
-          best = this->Surface;
-          isBetter = true;
-        }
+        bestAngle = angle;
+        best = operation;
       }
-      this->Surface = before;
-    };
-    for (Index k = 0; k < 3; ++k)
-    {
-      const Index e = 3 * face + k;
-      attempt([&] { return this->flip(e); });
-      attempt([&] { return this->collapse(e); });
+      before.restore(this->Surface);
     }
-    attempt([&] { return this->splitLongest(face); });
-    this->Surface = std::move(best);
-    return isBetter;
+    if (best)
+    {
+      best();
+      this->improvedAngle();
+    }
+    return static_cast<bool>(best);
   }
 
 private:
+  /// Each says whether it was possible.
+  std::vector<std::function<bool()>> operationsOn(Index face)
+  {
+    std::vector<std::function<bool()>> operations;
+    for (Index k = 0; k < 3; ++k)
+    {
+      const Index e = 3 * face + k;
+      operations.emplace_back([this, e] { return this->flip(e); });
+      operations.emplace_back([this, e] { return this->collapse(e); });
+    }
+    operations.emplace_back([this, face] { return this->splitLongest(face); });
+    return operations;
+  }
+
   bool flip(Index e)
   {
     if (!this->Surface.canFlip(e))
@@ -176,7 +187,7 @@ private:
     {
       return 0.0;
     }
-    const std::vector<Index> around = ringsAround(this->Surface, left, 2);
+    const std::vector<Index> around = ringsAround(this->Surface, left, Rings);
     optimizeStarsOf(this->Surface, this->Reference, around, WantedAngle, StarRounds);
     return smallestAngleAt(this->Surface, around);
   }

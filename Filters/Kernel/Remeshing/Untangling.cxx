@@ -60,7 +60,7 @@ bool untangle(
         surface.setPoint(v, middleOfNeighbours(surface, v));
       }
     }
-    pairs = selfIntersections(surface.mesh(), execution.phase(0.0, 0.0));
+    pairs = selfIntersections(surface.triangles(), execution.phase(0.0, 0.0));
   }
   return pairs.empty();
 }
