@@ -223,6 +223,10 @@ std::unique_ptr<EvolutionOutput> vtkSurfaceEvolution::Solve(vtkPolyData* input, 
     [start, image, remesher, options](const evolving::Execution& host)
     { return evolving::SurfaceFlow(start, image, remesher, options, host); },
     published, Bytes(this->CacheLimit), execution);
+  if (series->PointType() != KernelBridge::PointType(input))
+  {
+    KernelBridge::WarnOfDoubles(this);
+  }
   if (!series->Flow().stopReason().empty())
   {
     vtkErrorMacro(<< series->Flow().stopReason());

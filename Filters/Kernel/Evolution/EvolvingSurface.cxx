@@ -33,6 +33,19 @@ void EvolvingSurface::setElements(
   this->HasVelocities = false;
 }
 
+StateArrays EvolvingSurface::measuredArrays(
+  const std::vector<Vec3>& points, const Execution& execution) const
+{
+  SurfaceMesh mesh = this->mesh();
+  mesh.points = points;
+  FiniteVolumes volumes = this->Motion->geometry().volumes();
+  volumes.update(mesh, execution);
+  StateArrays arrays;
+  arrays.coVolume = volumes.coVolumes();
+  arrays.distance = this->Field->valuesAt(points, execution);
+  return arrays;
+}
+
 void EvolvingSurface::setPlace(const SurfacePlace& place, const Execution& execution)
 {
   if (place.origin != this->Origin && !(*place.origin == *this->Origin))

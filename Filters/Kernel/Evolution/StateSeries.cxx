@@ -69,7 +69,7 @@ std::vector<int> publishedIterations(int steps, int smoothingSteps, int interval
 }
 
 StateSeries::StateSeries(MakeFlow makeFlow, std::vector<int> published, std::size_t memoryLimit,
-  const Execution& execution)
+  const Execution& execution, const Observe& observe)
   : Make(std::move(makeFlow))
   , Published(std::move(published))
   , MemoryLimit(memoryLimit)
@@ -81,6 +81,10 @@ StateSeries::StateSeries(MakeFlow makeFlow, std::vector<int> published, std::siz
   {
     execution.report(flow.record().iteration / total);
     this->History.push_back(flow.record());
+    if (observe)
+    {
+      observe(flow);
+    }
     const bool isPublished =
       next < this->Published.size() && flow.record().iteration == this->Published[next];
     if (isPublished || flow.isFinished())
@@ -94,8 +98,13 @@ StateSeries::StateSeries(MakeFlow makeFlow, std::vector<int> published, std::siz
     flow.step();
     if (!flow.stopReason().empty())
     {
-      // The step was undone: the state before it is the last one.
+      // The step was undone, and the state before it, the last one, was tidied.
+      this->History.back() = flow.record();
       this->keep(next++, flow);
+      if (observe)
+      {
+        observe(flow);
+      }
       break;
     }
   }
@@ -104,10 +113,9 @@ StateSeries::StateSeries(MakeFlow makeFlow, std::vector<int> published, std::siz
 
 void StateSeries::keep(std::size_t i, const SurfaceFlow& flow)
 {
-  if (!this->States.empty() && this->States.back()->record.iteration == flow.record().iteration)
-  {
-    return; // a run that ends right after a published state
-  }
+  const bool isTidied =
+    !this->States.empty() && this->States.back()->record.iteration == flow.record().iteration;
+  i = isTidied ? this->States.size() - 1 : i;
   // What was the last state is one among others now.
   this->dropBetweenStrides();
   this->States.resize(i + 1);

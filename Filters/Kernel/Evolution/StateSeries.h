@@ -40,16 +40,19 @@ class StateSeries
 public:
   /// Makes the flow at its start; called once, and again to recompute dropped states.
   using MakeFlow = std::function<SurfaceFlow(const Execution&)>;
+  /// Sees every computed step, the start included, and a last state that was tidied once more.
+  using Observe = std::function<void(const SurfaceFlow&)>;
 
   /**
    * Runs the flow to its end.
    * @param published as publishedIterations() gives them
    * @param memoryLimit bytes; the first and the last state are kept whatever it is
+   * @param observe may be empty
    * @throws InputError
    * @throws Cancelled
    */
   StateSeries(MakeFlow makeFlow, std::vector<int> published, std::size_t memoryLimit,
-    const Execution& execution);
+    const Execution& execution, const Observe& observe = {});
 
   /**
    * The state published as number i. After convergence or a stop the last state reached.

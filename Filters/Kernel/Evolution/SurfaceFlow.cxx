@@ -82,6 +82,16 @@ void SurfaceFlow::evaluate(const Execution& execution)
   measureState(this->mesh(), this->Center, this->Arrays, this->Record, this->Run);
 }
 
+FlowRecord SurfaceFlow::recordAt(const std::vector<Vec3>& points) const
+{
+  SurfaceMesh mesh = this->mesh();
+  mesh.points = points;
+  FlowRecord record = this->Record;
+  const Execution now = this->stepExecution().phase(0.0, 0.0);
+  measureState(mesh, this->Center, this->Surface.measuredArrays(points, now), record, now);
+  return record;
+}
+
 void SurfaceFlow::step()
 {
   using Clock = std::chrono::steady_clock;
