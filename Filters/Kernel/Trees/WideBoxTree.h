@@ -53,7 +53,7 @@ private:
 /**
  * A binary tree of boxes over triangles with three of its levels in one, and the boxes of a
  * leaf's triangles in place of the leaf's. Its floats count from the middle of the root in half
- * sizes of it; their rounding lets a triangle too much pass, never one too few.
+ * sizes of it; their rounding may let a triangle pass in vain, but never hides one.
  */
 class WideBoxTree
 {
