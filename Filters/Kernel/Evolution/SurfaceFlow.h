@@ -35,7 +35,7 @@ namespace evolving
  * with after that; the arrays and the record are those of the new elements.
  * @code
  *   SurfaceFlow flow(start, field, options, execution);
- *   while (!flow.isFinished()) { flow.step(); use(flow.points(), flow.arrays(), flow.record()); }
+ *   while (!flow.isFinished()) { flow.step(); use(flow.mesh(), flow.arrays(), flow.record()); }
  *   if (!flow.stopReason().empty()) ... // ended early; the last state is good
  * @endcode
  */

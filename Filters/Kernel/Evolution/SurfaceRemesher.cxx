@@ -11,6 +11,7 @@
 #include "ParameterRange.h"
 #include "Redistribution/VanishedComponents.h"
 #include "Remeshing/CurvedReference.h"
+#include "Remeshing/EdgeLengthLimits.h"
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/IntersectionFreeStages.h"
 #include "Remeshing/Remeshing.h"
@@ -29,14 +30,9 @@ namespace
 {
 
 constexpr double LeastVertices = 100.0; ///< of a component
-/// Adaptive sizes, in uniform ones.
-constexpr double SmallestSize = 0.4;
-constexpr double LargestSize = 1.5;
 /// Good elements stay between steps: none with a smaller angle, in degrees, and no more edges than
-/// this part shorter or longer than this, in their size.
+/// this part too short or too long.
 constexpr double GoodAngle = 30.0;
-constexpr double ShortestGood = 0.75;
-constexpr double LongestGood = 1.4;
 constexpr double FewEdges = 0.01;
 /// Passes between steps, which the next ones go on from, and where the run ends.
 constexpr int Passes = 2;
@@ -128,7 +124,8 @@ void setSizes(
   if (sizing == ElementSizing::CurvatureAdaptive)
   {
     const double vertices = expectedVertices(surface);
-    setSizesForVertexCount(surface, { SmallestSize * size, LargestSize * size }, vertices);
+    setSizesForVertexCount(
+      surface, { SmallestAdaptiveSize * size, LargestAdaptiveSize * size }, vertices);
     makeUpForFlatness(surface, vertices);
     limitSizes(surface, largest);
   }
@@ -143,7 +140,7 @@ bool hasGoodElements(const EditableSurface& surface, const SurfaceMesh& mesh)
     if (surface.isFirstHalf(e))
     {
       const double length = surface.length(e) / surface.size(surface.from(e), surface.to(e));
-      badEdges += length < ShortestGood || length > LongestGood ? 1 : 0;
+      badEdges += length < ShortestGoodPerSize || length > LongestGoodPerSize ? 1 : 0;
       ++edges;
     }
   }

@@ -66,7 +66,7 @@ public:
   /// @param start of triangles. @throws InputError as MeshTopology and checkOptions()
   SurfaceRemesher(const SurfaceMesh& start, const SurfaceRemeshingOptions& options);
 
-  /// What edges should be as long as, in the mean.
+  /// The mean length that edges should have.
   double edgeLength() const { return this->Options.edgeLength; }
 
   /// @throws InputError when a face is not a triangle, or as requireFewVertices(). @throws

@@ -13,6 +13,8 @@ namespace evolving
 namespace
 {
 
+/// Each sweep makes what is too short up to twice as long: more are not needed for any ratio of
+/// sizes that occurs.
 constexpr int MostSweeps = 20;
 
 /// Who may move where when an edge becomes a point.

@@ -20,20 +20,17 @@ namespace evolving
 namespace
 {
 
-/// A try must raise the smallest angle by so much, in degrees.
+/// A try must raise the smallest angle by so much, in degrees: less is not worth other elements,
+/// and tries could follow each other without end.
 constexpr double LeastGain = 0.3;
-/// Stars are improved up to this angle, and for so many rounds, after each try.
+/// Stars are improved up to this angle, and for so many rounds, after each try, as at the end of a
+/// wrap (FinishTuning::wantedAngle), whose fewer stars need fewer rounds.
 constexpr double WantedAngle = 46.0;
 constexpr int StarRounds = 3;
 /// More bad triangles than this are no place to repair but a surface to remesh.
 constexpr std::size_t MostFaces = 300;
 /// So many rings of vertices around a bad triangle make room for it.
 constexpr int Rings = 2;
-
-double angleOf(const EditableSurface& surface, Index f)
-{
-  return smallestAngle(surface.corner(f, 0), surface.corner(f, 1), surface.corner(f, 2));
-}
 
 /// The vertices within some rings of a few, in ascending order.
 std::vector<Index> ringsAround(
@@ -60,7 +57,7 @@ double smallestAngleAt(const EditableSurface& surface, const std::vector<Index>&
   {
     surface.forEachOutgoing(v,
       [&](Index e)
-      { smallest = std::min(smallest, angleOf(surface, EditableSurface::faceOf(e))); });
+      { smallest = std::min(smallest, smallestAngle(surface, EditableSurface::faceOf(e))); });
   }
   return smallest;
 }
@@ -73,7 +70,7 @@ std::vector<std::pair<double, Index>> badFaces(const EditableSurface& surface, d
   {
     if (surface.hasFace(f))
     {
-      const double angle = angleOf(surface, f);
+      const double angle = smallestAngle(surface, f);
       if (angle < degrees)
       {
         faces.emplace_back(angle, f);
@@ -213,7 +210,7 @@ Index repairElements(EditableSurface& surface, const ReferenceSurface& reference
   {
     execution.report(0.0);
     // An earlier repair may have been enough, or have taken the face away.
-    if (surface.hasFace(face) && angleOf(surface, face) < degrees &&
+    if (surface.hasFace(face) && smallestAngle(surface, face) < degrees &&
       Repair(surface, reference).run(face))
     {
       ++repaired;

@@ -51,8 +51,7 @@ public:
     std::vector<Index> small;
     for (Index f = 0; f < this->Surface.faceSlots(); ++f)
     {
-      const bool isSmall = smallestAngle(this->Surface.corner(f, 0), this->Surface.corner(f, 1),
-                             this->Surface.corner(f, 2)) < leastAngle;
+      const bool isSmall = smallestAngle(this->Surface, f) < leastAngle;
       if (isSmall && !this->Surface.isLockedFace(f))
       {
         small.push_back(f);

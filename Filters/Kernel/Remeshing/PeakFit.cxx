@@ -101,8 +101,7 @@ double smallestAngleOf(const EditableSurface& surface, const std::vector<Index>&
   double smallest = 60.0;
   for (const Index f : faces)
   {
-    smallest = std::min(
-      smallest, smallestAngle(surface.corner(f, 0), surface.corner(f, 1), surface.corner(f, 2)));
+    smallest = std::min(smallest, smallestAngle(surface, f));
   }
   return smallest;
 }

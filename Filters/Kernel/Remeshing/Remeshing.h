@@ -11,18 +11,18 @@
 
 #include "Execution.h"
 #include "Remeshing/EdgeCollapsing.h"
+#include "Remeshing/EdgeLengthLimits.h"
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/ReferenceSurface.h"
 
 namespace evolving
 {
 
-/// Edges between these ratios to their size stay: neither half is nearer to it than the whole.
 struct RemeshingOptions
 {
-  double longest = 4.0 / 3.0;
-  double shortest = 4.0 / 5.0;
-  int relaxations = 3; ///< after each pass
+  double longest = LongestPerSize;   ///< edges stay, relative to their size
+  double shortest = ShortestPerSize; ///< edges stay, likewise
+  int relaxations = 3;               ///< after each pass
   double damping = 0.7;
   CollapseLimits guards;
 };

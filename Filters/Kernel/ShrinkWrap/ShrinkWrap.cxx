@@ -10,7 +10,6 @@
 #include "Remeshing/TargetSamples.h"
 #include "Remeshing/VertexBudget.h"
 #include "ShrinkWrap/OuterRegion.h"
-#include "ShrinkWrap/WrapFinish.h"
 #include "ShrinkWrap/WrapRemesher.h"
 #include "ShrinkWrap/WrapTarget.h"
 #include "StartSurface/BoundingIcosphere.h"
@@ -27,24 +26,8 @@ namespace evolving
 namespace
 {
 
-/// Positions need no more: remeshing follows.
+/// In edge lengths, about: positions need no more, for remeshing follows.
 constexpr double SolverTolerance = 1e-6;
-/// Squared edge lengths that curvature smooths over in a step. From a sphere more: it draws the
-/// rims of double sheets back (FrontContacts.h).
-constexpr double CurvaturePerStep = 0.1;
-constexpr double SphereCurvaturePerStep = 0.6;
-/// Between membranes over holes, which only a larger D brings in, and the rims of double sheets,
-/// which fall behind their sides with it.
-constexpr double SphereBalance = 0.2;
-/// In edge lengths, a step: when no vertex moves farther than that, the surface has arrived or has
-/// met a membrane; and how far one may move at most.
-constexpr double ArrivedEdges = 0.2;
-constexpr double LongestAdvection = 0.5;
-/// What of the target is farther from the result, in edge lengths, is lost.
-constexpr double LostEdges = 2.0;
-/// Membranes get no nearer.
-constexpr int StallSteps = 15;
-
 /**
  * Zero where the flow is to end: at the offset, or where sheets' walls begin; from there to the
  * target it is near enough to land. What the region contains is outside; next to the target its
@@ -66,11 +49,11 @@ std::shared_ptr<const ScalarImage> levelField(
 }
 
 /// An isosurface has about the area that the result will have.
-void requireFewAtTarget(const SurfaceMesh& start, double edgeLength)
+void requireFewAtTarget(const SurfaceMesh& start, const WrapTarget& target)
 {
   EditableSurface surface(start);
-  setUniformSizes(surface, sizeForEdges(edgeLength));
-  requireFewVertices(surface, edgeLength);
+  setUniformSizes(surface, target.elementSize());
+  requireFewVertices(surface, target.edgeLength);
 }
 
 /// A grid of cells far larger than the target may have no sample inside the start level.
@@ -88,7 +71,8 @@ void requireFaces(const SurfaceMesh& start, const WrapTarget& target, double gap
   throw InputError(message.str());
 }
 
-/// A sphere around the target that its flow can leave in triangles of the largest size.
+/// A sphere around the target, of few triangles: withRightSizes() makes them as small as the
+/// distance asks for. The margin keeps it off the target where that is a sphere itself.
 SurfaceMesh sphereStart(const WrapTarget& target)
 {
   constexpr int Level = 3;
@@ -101,6 +85,7 @@ SurfaceMesh sphereStart(const WrapTarget& target)
 
 FlowOptions flowFor(const WrapTarget& target, const ShrinkWrapOptions& options)
 {
+  const FlowTuning& tuning = target.tuning.flow;
   const double edge = target.edgeLength;
   FlowOptions flow;
   flow.relativeUnits = false;
@@ -108,30 +93,30 @@ FlowOptions flowFor(const WrapTarget& target, const ShrinkWrapOptions& options)
   flow.numberOfSteps = stepsOf(options);
   flow.timeStep = timeStepOf(options);
   flow.advectionSpeed = 1.0;
-  flow.longestAdvection = LongestAdvection;
+  flow.longestAdvection = tuning.longestAdvection;
   // Curvature fades within an element's size of the target.
-  flow.curvatureSpeed = CurvaturePerStep * edge * edge / flow.timeStep;
+  flow.curvatureSpeed = tuning.curvaturePerStep * edge * edge / flow.timeStep;
   flow.curvatureRange = edge * edge;
-  flow.redistribution.angle = 0.8 / flow.timeStep;
+  flow.redistribution.angle = tuning.anglePerStep / flow.timeStep;
   flow.redistribution.angleMethod = AngleMethod::Shape;
   flow.solverTolerance = SolverTolerance;
   if (options.start == WrapStart::Icosphere)
   {
-    flow.advectionBalance = SphereBalance;
-    flow.curvatureSpeed = SphereCurvaturePerStep * edge * edge / flow.timeStep;
-    flow.convergenceTolerance = ArrivedEdges * edge / (0.5 * target.box.diagonal().norm());
-    flow.stallSteps = StallSteps;
+    flow.advectionBalance = tuning.sphereBalance;
+    flow.curvatureSpeed = tuning.sphereCurvaturePerStep * edge * edge / flow.timeStep;
+    flow.convergenceTolerance = tuning.arrivedEdges * edge / (0.5 * target.box.diagonal().norm());
+    flow.stallSteps = tuning.stallSteps;
   }
   return flow;
 }
 
 } // namespace
 
-ShrinkWrapProblem prepareShrinkWrap(
-  const SurfaceMesh& mesh, const ShrinkWrapOptions& options, const Execution& execution)
+ShrinkWrapProblem prepareShrinkWrap(const SurfaceMesh& mesh, const ShrinkWrapOptions& options,
+  const Execution& execution, const WrapTuning& tuning)
 {
-  const auto target =
-    std::make_shared<const WrapTarget>(describeTarget(mesh, options, execution.phase(0.0, 0.4)));
+  const auto target = std::make_shared<const WrapTarget>(
+    describeTarget(mesh, options, execution.phase(0.0, 0.4), tuning));
   const OuterRegion region(
     target->grid, target->startField, target->startLevel, execution.phase(0.4, 0.5));
   ShrinkWrapProblem problem;
@@ -145,7 +130,7 @@ ShrinkWrapProblem prepareShrinkWrap(
   if (options.start == WrapStart::Isosurface)
   {
     requireFaces(start, *target, options.gapSize);
-    requireFewAtTarget(start, target->edgeLength);
+    requireFewAtTarget(start, *target);
   }
   std::vector<double> distance;
   for (const Vec3& point : start.points)
@@ -168,7 +153,7 @@ SurfaceReport examineWrap(
   SurfaceReport report = examine(
     surface, [&reference](const Vec3& p) { return reference.deviation(p); },
     execution.phase(0.0, 0.6));
-  const double far = LostEdges * problem.edgeLength + reference.highestLevel();
+  const double far = FarEdges * problem.edgeLength + reference.highestLevel();
   measureLoss(surface, samplesOf(reference.visible(), problem.edgeLength), far, report,
     execution.phase(0.6, 1.0));
   report.creases = problem.remesher->creases();

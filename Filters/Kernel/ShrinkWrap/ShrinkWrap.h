@@ -18,6 +18,7 @@
 #include "ShrinkWrap/SurfaceReport.h"
 #include "ShrinkWrap/WrapReference.h"
 #include "ShrinkWrap/WrapRemesher.h"
+#include "ShrinkWrap/WrapTuning.h"
 
 #include <memory>
 
@@ -41,8 +42,8 @@ struct ShrinkWrapProblem
  * out of range, or ones that ask for more vertices than requireFewVertices() lets pass
  * @throws Cancelled
  */
-ShrinkWrapProblem prepareShrinkWrap(
-  const SurfaceMesh& mesh, const ShrinkWrapOptions& options, const Execution& execution = {});
+ShrinkWrapProblem prepareShrinkWrap(const SurfaceMesh& mesh, const ShrinkWrapOptions& options,
+  const Execution& execution = {}, const WrapTuning& tuning = {});
 
 /**
  * What was reached of a problem.

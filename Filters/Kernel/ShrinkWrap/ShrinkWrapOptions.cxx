@@ -13,15 +13,21 @@ namespace evolving
 namespace
 {
 
+/// Of a cube an edge is then three cells of the default grid long: the grid shows what elements of
+/// that size can carry.
 constexpr double DefaultVertexCount = 9000.0;
 /// As of an input (FloatRange.cxx): distances of this size, and their squares, are floats.
 constexpr double SmallestLength = 1e-31;
 constexpr double LargestLength = 1e31;
 
-/// The start is half an edge length away: after this time a twentieth of that is left.
+/// The flow leaves exp(-time) of a distance. The start is half an edge length away: after this time
+/// a twentieth of that is left. Four steps are the fewest whose explicit part is well within
+/// ExplicitLimits::Advection.
 constexpr double IsosurfaceTime = 3.0;
 constexpr int IsosurfaceSteps = 4;
-/// From a sphere the distance is some hundred times as large.
+/// From a sphere vertices move half an edge of an element in a step at most, and elements are up to
+/// six times as large there (FlowTuning): 50 steps lead 150 edge lengths far, beyond any target of
+/// that many vertices; those left over end by FlowOptions::convergenceTolerance.
 constexpr double IcosphereTime = 25.0;
 constexpr int IcosphereSteps = 50;
 

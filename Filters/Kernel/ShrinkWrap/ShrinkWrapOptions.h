@@ -27,7 +27,9 @@ struct ShrinkWrapOptions
   WrapStart start = WrapStart::Isosurface;
   std::array<int, 3> sampleDimensions = { 128, 128, 128 };
   double targetEdgeLength = 0.0; ///< 0 = defaultEdgeLength() of the target's area
-  double gapSize = 0.0;          ///< 0 = two cells, and at least the edge length
+  /// Diameter of the gaps to close; 0 = those that the start surface cannot enter, an edge length
+  /// or 1.6 cells wide, and wider cracks where without them nearly nothing would be inside.
+  double gapSize = 0.0;
   bool adaptToCurvature = false; ///< as many elements, smaller ones where the target is curved
   bool preserveFeatures = false; ///< edges and vertices on creases and corners of the target
   double featureAngle = 45.0;    ///< degrees between normals from which an edge is a crease

@@ -19,14 +19,15 @@ namespace evolving
 namespace
 {
 
-/// A result with a smaller angle than this, in degrees, is no good for simulation.
+/// A result with a smaller angle than this, in degrees, is no good for simulation: about what
+/// refinement in the plane guarantees (20.7; Ruppert, *A Delaunay Refinement Algorithm for Quality
+/// 2-Dimensional Mesh Generation*, 1995).
 constexpr double QualityFloor = 20.0;
-/// Slits between parts and the corners of sheets are less of a target.
+/// Losing less than this part of the target is no shortcoming: slits between parts and the corners
+/// of sheets are lost always.
 constexpr double MostLost = 0.02;
-/// Tips of creases that are less of them all are no loss.
+/// Nor is missing less than this part of the length of all creases: their tips.
 constexpr double MissingPart = 0.01;
-/// A vertex that stays farther away than this many edge lengths has met a membrane.
-constexpr double MembraneEdges = 2.0;
 
 Vec3 middleOf(const SurfaceMesh& surface, Index face)
 {
@@ -137,19 +138,19 @@ std::vector<std::string> shortcomings(const SurfaceReport& report, double edgeLe
     say("The smallest angle of the result is ", report.minAngle, " degrees, below ", QualityFloor,
       ", at (", report.minAnglePlace.transpose(), "); use a smaller TargetEdgeLength.");
   }
-  if (report.maxDistance > MembraneEdges * edgeLength)
+  if (report.maxDistance > FarEdges * edgeLength)
   {
     say("A point of the result at (", report.maxDistancePlace.transpose(), ") is ",
       report.maxDistance, " away from where it should be, more than two edge lengths (",
-      2.0 * edgeLength,
+      FarEdges * edgeLength,
       "): a membrane was left over a hole or a deep concavity, or the distance grid is too coarse; "
       "use the Isosurface start, a smaller GapSize or more SampleDimensions.");
   }
   if (report.lostPart > MostLost)
   {
     say("Of the target, ", std::round(100.0 * report.lostPart),
-      " % is more than two edge lengths (", 2.0 * edgeLength, ") away from the result, some at (",
-      report.lostPlace.transpose(),
+      " % is more than two edge lengths (", FarEdges * edgeLength,
+      ") away from the result, some at (", report.lostPlace.transpose(),
       "): it is thinner than a triangle, or in a gap that was closed; use a smaller "
       "TargetEdgeLength or GapSize.");
   }

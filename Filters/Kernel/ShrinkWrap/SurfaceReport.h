@@ -22,6 +22,10 @@
 namespace evolving
 {
 
+/// In edge lengths: what is farther apart on target and result does not stand for each other. Half
+/// of it is what an element may lie beside its place, the rest what it may reach over.
+constexpr double FarEdges = 2.0;
+
 struct SurfaceReport
 {
   bool isClosed = false;
@@ -35,7 +39,7 @@ struct SurfaceReport
   Vec3 maxDistancePlace = Vec3::Zero();  ///< that vertex
   double lostPart = 0.0;                 ///< of the target's samples, see measureLoss(); 0 to 1
   Vec3 lostPlace = Vec3::Zero();         ///< the farthest of them
-  FeatureCoverage creases;               ///< for who made the surface to say
+  FeatureCoverage creases;               ///< filled in by whoever made the surface
 };
 
 /// How far a point is from where the surface is meant to lie. Must not throw.

@@ -37,7 +37,7 @@ public:
 
   Foot onSurface(const Vec3& point, const Vec3& facing, Index label, Index guess) const override;
 
-  /// Of a point from where the result shall lie next to it.
+  /// How far a point is from where the result is to lie next to it.
   double deviation(const Vec3& point) const;
   /// Is the closest place of the target a sheet that becomes a wall?
   bool isAtSheet(const Vec3& point) const;

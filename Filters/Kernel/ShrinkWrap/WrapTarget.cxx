@@ -22,23 +22,8 @@ namespace evolving
 namespace
 {
 
-/// A start half an edge length away has the target's holes and handles, and is near enough to
-/// arrive without folds. Nearer than this many cells the grid would show.
-constexpr double StartPerEdge = 0.5;
-constexpr double StartPerCell = 0.8;
-/// Sheets that are reached from both sides become walls of this thickness on either side, in edge
-/// lengths: two layers of triangles closer than that would fold through each other.
-constexpr double WallPerEdge = 0.3;
-/// Cracks up to this many edge lengths wider than the start level closes are looked for, in steps,
-/// and a target counts as closed when it encloses this part of what it encloses without cracks.
-constexpr double LargestCrackEdges = 2.0;
-constexpr double CrackStepEdges = 0.5;
-constexpr double ClosedPart = 0.5;
 /// Of the squared diagonal: faces on a line far from the origin have as much by rounding.
 constexpr double LeastArea = 1e-12;
-/// Openings narrower than this many edge lengths are closed: elements cannot line them.
-constexpr double NarrowEdges = 6.0;
-
 void requireExtent(const Box& box)
 {
   if (box.isEmpty() || !(box.diagonal().norm() > 0.0))
@@ -96,48 +81,53 @@ double enclosedBy(const WrapTarget& target, double diameter, const Execution& ex
  */
 double gapThatCloses(const WrapTarget& target, const Execution& execution)
 {
+  const TargetTuning& tuning = target.tuning.target;
   const double least = 2.0 * target.startLevel;
-  const double most = least + LargestCrackEdges * target.edgeLength;
+  const double most = least + tuning.largestCrackEdges * target.edgeLength;
   const double enclosed = enclosedBy(target, most, execution);
   double gap = least;
-  while (gap < most && enclosedBy(target, gap, execution) < ClosedPart * enclosed)
+  while (gap < most && enclosedBy(target, gap, execution) < tuning.closedPart * enclosed)
   {
-    gap += CrackStepEdges * target.edgeLength;
+    gap += tuning.crackStepEdges * target.edgeLength;
   }
   return gap < most ? gap : (enclosed > 0.0 ? most : least);
 }
 
-SurfaceMesh withoutHoles(const SurfaceMesh& surface, double gapSize, double edgeLength)
+SurfaceMesh withoutHoles(const SurfaceMesh& surface, double gapSize, double narrow)
 {
   const std::vector<BoundaryLoop> loops = boundaryLoops(surface);
-  return fillHoles(surface, holesToFill(surface, loops, gapSize, NarrowEdges * edgeLength));
+  return fillHoles(surface, holesToFill(surface, loops, gapSize, narrow));
 }
 
 } // namespace
 
-WrapTarget describeTarget(
-  const SurfaceMesh& mesh, const ShrinkWrapOptions& options, const Execution& execution)
+WrapTarget describeTarget(const SurfaceMesh& mesh, const ShrinkWrapOptions& options,
+  const Execution& execution, const WrapTuning& tuning)
 {
   checkOptions(options);
   validate(mesh);
   WrapTarget target;
+  target.tuning = tuning;
+  const TargetTuning& lengths = tuning.target;
   target.box = boundingBox(mesh);
   requireExtent(target.box);
   const bool isPointSet = mesh.faceCount() == 0;
-  target.surface = isPointSet ? surfaceAmidst(mesh, options, execution.phase(0.0, 0.4))
-                              : weldCoincidentPoints(mesh);
+  target.surface = isPointSet
+    ? surfaceAmidst(mesh, options, execution.phase(0.0, 0.4), tuning.points)
+    : weldCoincidentPoints(mesh);
   target.area = surfaceArea(target.surface);
   target.edgeLength =
     options.targetEdgeLength > 0.0 ? options.targetEdgeLength : defaultEdgeLength(target.area);
   requireArea(target);
   const double gap = isPointSet ? 0.0 : options.gapSize;
-  target.surface = withoutHoles(target.surface, gap, target.edgeLength);
+  target.surface = withoutHoles(target.surface, gap, lengths.narrowEdges * target.edgeLength);
   target.offset = options.offsetDistance;
-  target.wall = WallPerEdge * target.edgeLength;
-  const double room = target.offset + std::max(LargestCrackEdges * target.edgeLength, 0.5 * gap);
+  target.wall = lengths.wallPerEdge * target.edgeLength;
+  const double room =
+    target.offset + std::max(lengths.largestCrackEdges * target.edgeLength, 0.5 * gap);
   target.grid = tightGrid(target.box, options.sampleDimensions, room);
-  target.startLevel =
-    target.offset + std::max(StartPerEdge * target.edgeLength, StartPerCell * target.cellSize());
+  target.startLevel = target.offset +
+    std::max(lengths.startPerEdge * target.edgeLength, lengths.startPerCell * target.cellSize());
   target.signedDistance =
     distanceTo(target.surface, target.grid, signFor(target.surface), execution.phase(0.5, 0.8));
   target.distance = magnitudes(target.signedDistance);

@@ -56,6 +56,7 @@ InsideSamples notReached(const DistanceGrid& grid, const std::vector<float>& dis
 std::vector<float> distanceToBoundary(
   const DistanceGrid& grid, const InsideSamples& samples, double depth, const Execution& execution)
 {
+  // The grid's cells beside the new surface have samples up to the root of 3 cells away from it.
   constexpr double CellsBeyond = 2.0;
   const SurfaceMesh boundary =
     splitQuads(surfaceNet(grid, samples, execution.phase(0.0, 0.3)).mesh);

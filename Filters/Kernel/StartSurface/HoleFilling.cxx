@@ -24,7 +24,9 @@ namespace
 
 using Cap = std::vector<std::array<Index, 3>>;
 
+/// Of a loop, in vertices: n^3 / 6 evaluations (LeastAreaCap.h) are a twentieth of a second then.
 constexpr std::size_t LongestForLeastArea = 300;
+/// Of a cap: each forbids the diagonals that made the last one cross something.
 constexpr int Choices = 5;
 
 /// Edges by the numbers of their ends, in any order.

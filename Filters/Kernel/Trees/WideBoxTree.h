@@ -53,8 +53,8 @@ private:
 
 /**
  * A binary tree of boxes over triangles with three of its levels in one, and the boxes of a
- * leaf's triangles in place of the leaf's. Its floats count in the root's frame; their rounding
- * lets a triangle too much pass, never one too few.
+ * leaf's triangles in place of the leaf's. Its floats count in the root's frame; their rounding may
+ * let a triangle pass in vain, but never hides one.
  */
 class WideBoxTree
 {
