@@ -170,7 +170,7 @@ private:
         Fault::WrongDistance, "ClosestPoint of (", place.transpose(), ") is ", away,
         " away, the surface ", distance, "; a cell is ", this->Cell);
     }
-    if (this->Filter->GetComputeClosestCellId())
+    if (this->Filter->GetComputeClosestCellId() && !this->Reference.isLoose())
     {
       const double id = pointArray(this->Image, "ClosestCellId", 1)->GetTuple1(sample);
       const double away = this->Reference.toCell(place, static_cast<std::int64_t>(id));

@@ -37,6 +37,8 @@ public:
 
   /// Is there nothing to measure to?
   bool isEmpty() const { return this->Triangles.empty() && !this->IsLoose; }
+  /// Are there polygons whose triangles are not known?
+  bool isLoose() const { return this->IsLoose; }
   /// Triangles to be looked at for a place.
   std::size_t size() const { return this->Triangles.size() + this->Possible.size(); }
   DistanceBounds operator()(const Vec3& place) const;

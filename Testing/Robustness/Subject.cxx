@@ -77,10 +77,29 @@ Subject::Subject(const Model& made)
   {
     this->joined = welded(this->surface);
     this->topology = topologyOf(this->joined);
+    this->measure();
   }
   if (this->isSolid() && !isTrue(this->model))
   {
     this->model.forgetSolid();
+  }
+}
+
+void Subject::measure()
+{
+  evolving::Box box;
+  for (const Cell& face : this->surface.faces)
+  {
+    for (std::size_t k = 0; k < face.size(); ++k)
+    {
+      box.extend(this->surface.corner(face, k));
+    }
+  }
+  if (!box.isEmpty())
+  {
+    this->centre = box.center();
+    const double half = 0.5 * box.diagonal().norm();
+    this->radius = half > 0.0 ? half : 1.0;
   }
 }
 

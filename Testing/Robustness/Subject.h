@@ -26,8 +26,11 @@ struct Subject
   Surface surface;   ///< the faces as they are
   Surface joined;    ///< welded; empty unless all faces are usable
   Topology topology; ///< of the joined surface
+  ///@{
+  /// Of the box of the faces, or of the points where there is none: half its diagonal, its middle.
   double radius = 1.0;
   Vec3 centre;
+  ///@}
 
   bool hasFaces = false;
   /// Point numbers that are not there, or faces of fewer than three corners.
@@ -37,6 +40,9 @@ struct Subject
 
   bool isUsable() const { return !this->isDamaged && !this->hasNaN; }
   bool isSolid() const { return !this->model.solid.empty(); }
+
+private:
+  void measure();
 };
 
 } // namespace robustness
