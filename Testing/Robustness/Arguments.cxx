@@ -49,7 +49,9 @@ void printUsage()
   {
     std::cout << " " << kind.name;
   }
-  std::cout << "\n  --repeat SEED      one input in this process, described in full\n"
+  std::cout << "\n  --show OUTCOME     prints the inputs that are valid, refused or have a "
+               "shortcoming too\n"
+               "  --repeat SEED      one input in this process, described in full\n"
                "  --save FILE.vtp    with --repeat: writes the input\n\n"
                "The exit status is 1 when an answer is wrong, or an input crashes, takes too long "
                "or too much memory.\n";
@@ -75,7 +77,7 @@ void set(Arguments& arguments, const std::string& option, const std::string& val
     { "--time-limit", [&]() { arguments.timeLimit = smallNumber(option, value); } },
     { "--only", [&]() { arguments.only = filterKind(value).name; } },
     { "--repeat", [&]() { arguments.repeat = number(option, value); } },
-    { "--save", [&]() { arguments.save = value; } }
+    { "--save", [&]() { arguments.save = value; } }, { "--show", [&]() { arguments.show = value; } }
   };
   const auto setter = setters.find(option);
   if (setter == setters.end())

@@ -26,6 +26,7 @@ struct Arguments
   std::string only;          ///< a filter's name; empty: the seed chooses
   std::optional<std::uint64_t> repeat;
   std::string save;
+  std::string show; ///< a good outcome whose inputs are printed too
 };
 
 /// Leaves the program after --help, and after a mistake with one sentence.

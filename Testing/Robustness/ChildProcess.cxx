@@ -23,12 +23,6 @@ namespace robustness
 namespace
 {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool IsSanitized = true;
-#else
-constexpr bool IsSanitized = false;
-#endif
-
 int checked(int result, const char* what)
 {
   if (result < 0)

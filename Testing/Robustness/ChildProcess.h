@@ -20,11 +20,18 @@
 namespace robustness
 {
 
+/// Under a sanitizer all takes several times as long, and maps far more memory than it uses.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool IsSanitized = true;
+#else
+constexpr bool IsSanitized = false;
+#endif
+
 struct ChildLimits
 {
   int cpuSeconds = 20;
-  int wallSeconds = 60; ///< longer: a machine with other work must not make time-outs
-  std::size_t bytes = std::size_t(2) << 30; ///< not under sanitizers, which map far more
+  int wallSeconds = 300; ///< for those that wait for ever: a busy machine must not make time-outs
+  std::size_t bytes = std::size_t(2) << 30; ///< not under sanitizers
 };
 
 /// Hands what the work is, and its verdict, from the child to the parent.

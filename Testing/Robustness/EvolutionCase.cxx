@@ -17,6 +17,8 @@
 #include "vtkSurfaceEvolution.h"
 #include "vtkTable.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace robustness
@@ -38,11 +40,29 @@ public:
     this->drawFlow();
     this->drawRedistribution();
     this->drawElements();
+    this->drawTime(random);
     this->Filter->SetInputDataObject(0, subject.data);
   }
 
   vtkAlgorithm* filter() override { return this->Filter; }
-  std::string describe() override { return FilterCase::describe() + this->FieldText; }
+
+  void update() override
+  {
+    if (this->AsksForTime)
+    {
+      this->Filter->UpdateTimeStep(this->AskedTime);
+    }
+    else
+    {
+      this->Filter->Update();
+    }
+  }
+
+  std::string describe() override
+  {
+    const std::string time = this->AsksForTime ? ", at " + std::to_string(this->AskedTime) : "";
+    return FilterCase::describe() + this->FieldText + time;
+  }
 
   std::string whyRefuse() const override
   {
@@ -83,6 +103,7 @@ public:
     judgeState(this->Input, this->Filter->GetRemeshing() != vtkSurfaceEvolution::OFF, state);
     judgeHistory(vtkTable::SafeDownCast(this->Filter->GetOutputDataObject(1)), state,
       { "Time", "Area", "Volume", "MeanDistance", "MaxDistance", "MinAngle" });
+    this->judgeTime(state);
     if (fieldNumber(state, "Iteration") == 0.0 && this->Input.topology.isClosed())
     {
       const double volume = fieldNumber(state, "Volume");
@@ -91,6 +112,21 @@ public:
   }
 
 private:
+  /// The published time nearest to the one asked for, or the state in which the flow ended.
+  void judgeTime(vtkPolyData* state)
+  {
+    const double time = fieldNumber(state, "Time");
+    const double step = this->Filter->GetTimeStep();
+    const int last = this->Filter->GetNumberOfSteps() + this->Filter->GetSmoothingSteps();
+    const double end = last * step;
+    const double asked = this->AsksForTime ? std::clamp(this->AskedTime, 0.0, end) : end;
+    const double half = 0.5 * this->Filter->GetOutputInterval() * step;
+    const double early = fieldNumber(state, "Iteration") * step;
+    require(time <= asked + 1.001 * half && std::abs(time - early) <= 1e-9 * end, Fault::Misstated,
+      "the state is of time ", time, ", iteration ", fieldNumber(state, "Iteration"),
+      ", asked for was ", asked, " of ", end);
+  }
+
   /// The distance to the start itself or to a ball in its box.
   void makeField(Random& random)
   {
@@ -173,7 +209,16 @@ private:
     this->Filter->SetCacheLimit(random.chance(0.9) ? 2048 : 1);
   }
 
+  void drawTime(Random& random)
+  {
+    const int steps = this->Filter->GetNumberOfSteps() + this->Filter->GetSmoothingSteps();
+    this->AsksForTime = random.chance(0.3);
+    this->AskedTime = random.real(-0.2, 1.2) * steps * this->Filter->GetTimeStep();
+  }
+
   vtkNew<vtkSurfaceEvolution> Filter;
+  bool AsksForTime = false;
+  double AskedTime = 0.0;
   std::string FieldText;
   bool FieldHasNaN = false;
 };

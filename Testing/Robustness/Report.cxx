@@ -29,10 +29,14 @@ void Report::add(const std::string& filter, const ChildResult& result, std::ostr
 {
   ++this->Count;
   ++this->Table[filter][static_cast<std::size_t>(result.verdict.outcome)];
-  if (!robustness::isGood(result.verdict.outcome))
+  const bool isBad = !robustness::isGood(result.verdict.outcome);
+  const std::string kind = kindOf(filter, result.verdict);
+  if (isBad)
   {
-    const std::string kind = kindOf(filter, result.verdict);
     this->Bad[kind].push_back(result.seed);
+  }
+  if (isBad || this->Shown == nameOf(result.verdict.outcome))
+  {
     out << "seed " << result.seed << ": " << kind << ": " << result.verdict.what << "\n  "
         << result.description << std::endl;
   }

@@ -22,6 +22,11 @@ namespace robustness
 class Report
 {
 public:
+  /// @param shown a good outcome that is printed too; empty for none
+  explicit Report(const std::string& shown = "")
+    : Shown(shown)
+  {
+  }
   /// Counts a result; a bad one is printed at once, for runs that are not waited for.
   void add(const std::string& filter, const ChildResult& result, std::ostream& out);
   std::uint64_t count() const { return this->Count; }
@@ -29,6 +34,7 @@ public:
   void print(std::ostream& out) const;
 
 private:
+  std::string Shown;
   std::map<std::string, std::array<std::uint64_t, OutcomeCount>> Table;
   std::map<std::string, std::vector<std::uint64_t>> Bad; ///< seeds by kind
   std::uint64_t Count = 0;

@@ -84,11 +84,12 @@ int runAll(const Arguments& arguments)
     ? static_cast<std::size_t>(arguments.jobs)
     : std::max<std::size_t>(1, std::thread::hardware_concurrency());
   ChildLimits limits;
-  limits.cpuSeconds = arguments.timeLimit;
-  limits.wallSeconds = 3 * arguments.timeLimit;
+  constexpr int SlowDown = IsSanitized ? 8 : 1;
+  limits.cpuSeconds = SlowDown * arguments.timeLimit;
+  limits.wallSeconds = 15 * limits.cpuSeconds;
   ChildPool pool(
     limits, [&](std::uint64_t seed, const Messenger& parent) { work(seed, arguments, parent); });
-  Report report;
+  Report report(arguments.show);
   std::uint64_t next = arguments.seed;
   const auto hasNext = [&]()
   { return !isTimeUp() && (arguments.count == 0 || next < arguments.seed + arguments.count); };
