@@ -77,7 +77,7 @@ public:
     }
     const Topology& topology = this->Input.topology;
     const bool isStart = topology.isManifold() && topology.isOriented();
-    if (!isStart && this->Filter->GetRemeshing() == vtkSurfaceEvolution::OFF)
+    if (!isStart && !this->isSplitFirst())
     {
       return "the start is not an oriented manifold";
     }
@@ -112,6 +112,14 @@ public:
   }
 
 private:
+  /// Polygons that use a point twice may be good triangles once they are split.
+  bool isSplitFirst() const
+  {
+    const auto& faces = this->Input.surface.faces;
+    return this->Filter->GetRemeshing() != vtkSurfaceEvolution::OFF &&
+      std::any_of(faces.begin(), faces.end(), [](const Cell& face) { return face.size() > 3; });
+  }
+
   /// The published time nearest to the one asked for, or the state in which the flow ended.
   void judgeTime(vtkPolyData* state)
   {

@@ -175,7 +175,7 @@ TEST(FloodFillJudge, KnowsTheSideAwayFromTheSurfaceToo)
   const Subject input = ball();
   vtkNew<vtkMeshSDF> filter;
   filter->SetInputDataObject(input.data);
-  filter->SetSampleDimensions(24, 24, 24);
+  filter->SetSampleDimensions(16, 16, 16);
   filter->SetPadding(0.5);
   filter->SetSignToFloodFill();
   filter->Update();
@@ -183,7 +183,7 @@ TEST(FloodFillJudge, KnowsTheSideAwayFromTheSurfaceToo)
   const auto judge = [&]() { judgeDistances(input, filter, image); };
   EXPECT_EQ(faultOf(judge), Fault::None);
   vtkDataArray* values = image->GetPointData()->GetScalars();
-  const vtkIdType middle = 12 + 24 * (12 + 24 * 12);
+  const vtkIdType middle = 8 + 16 * (8 + 16 * 8);
   values->SetComponent(middle, 0, -values->GetComponent(middle, 0));
   EXPECT_EQ(faultOf(judge), Fault::WrongSign);
 }
@@ -282,8 +282,8 @@ TEST_F(WrapJudge, SeesASurfaceWithoutVolume)
 
 TEST_F(WrapJudge, SeesEveryLie)
 {
-  for (const char* name :
-    { "IsClosed", "IsManifold", "SelfIntersections", "Genus", "MinAngle", "Area", "Volume" })
+  for (const char* name : { "IsClosed", "IsManifold", "SelfIntersections", "Genus", "MinAngle",
+         "Area", "Volume", "MaxDistance" })
   {
     const double truth = this->Result->GetFieldData()->GetArray(name)->GetComponent(0, 0);
     setField(this->Result, name, truth == 0.0 ? 1.0 : 0.999 * truth);

@@ -10,6 +10,8 @@
 #include "vtkShrinkWrap.h"
 #include "vtkTable.h"
 
+#include <algorithm>
+
 namespace robustness
 {
 
@@ -46,7 +48,9 @@ public:
 
   bool mustAccept() const override
   {
-    return this->Parameters.areSensible() && this->Input.isSolid() && this->Input.model.isClean;
+    const bool hasExtent = this->Input.hasFaces ? areaOf(this->Input.joined) > 0.0
+                                                : this->Input.isUsable() && this->hasTwoPlaces();
+    return this->Parameters.areSensible() && !this->IsCoarse && this->Input.isUsable() && hasExtent;
   }
 
   void judge(std::size_t warnings) override
@@ -62,6 +66,14 @@ public:
   }
 
 private:
+  bool hasTwoPlaces() const
+  {
+    const auto& points = this->Input.model.points;
+    return this->Input.model.vertices.empty() && !points.empty() &&
+      std::any_of(
+        points.begin(), points.end(), [&](const Vec3& point) { return point != points.front(); });
+  }
+
   void draw(Random& random)
   {
     const double size = this->Input.radius;
@@ -73,9 +85,9 @@ private:
     {
       this->Filter->SetSampleDimensions(side(), side(), side());
     }
-    // Of the sensible lengths only a few are coarse.
+    this->IsCoarse = random.chance(0.1);
     const double length =
-      random.chance(0.1) ? random.logarithmic(0.2, 10.0) : random.logarithmic(0.05, 0.2);
+      this->IsCoarse ? random.logarithmic(0.2, 10.0) : random.logarithmic(0.05, 0.2);
     this->Filter->SetTargetEdgeLength(
       this->Parameters.number("TargetEdgeLength", isDefault ? 0.0 : length * size));
     this->Filter->SetGapSize(this->Parameters.rate("GapSize", 0.2, 0.01 * size, 2.0 * size));
@@ -92,6 +104,7 @@ private:
   }
 
   vtkNew<vtkShrinkWrap> Filter;
+  bool IsCoarse = false; ///< then it may be refused
 };
 
 } // namespace

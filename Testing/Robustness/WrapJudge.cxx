@@ -36,19 +36,39 @@ void judgeReport(const Surface& surface, const Topology& topology, vtkPolyData* 
   }
 }
 
-/// A result that is far from a good target, in volume or place, must say so.
-void judgeLikeness(const Subject& target, const Surface& surface)
+/// The largest distance of the result's points from the target, over some of them.
+double farthestOf(const Subject& target, const Surface& surface, bool& isOfAll)
 {
+  constexpr std::size_t MostEvaluations = 4000000;
   const DistanceReference reference(target.data);
+  const std::size_t step = 1 + surface.points.size() * reference.size() / MostEvaluations;
+  isOfAll = step == 1 && !reference.isLoose();
   double farthest = 0.0;
-  const std::size_t step = 1 + surface.points.size() * reference.size() / 4000000;
   for (std::size_t i = 0; i < surface.points.size(); i += step)
   {
     farthest = std::max(farthest, reference(surface.points[i]).lower);
   }
+  return farthest;
+}
+
+/// How far points are from a good target, which has no holes to be filled.
+void judgeDeviation(
+  const Subject& target, const Surface& surface, bool isSilent, vtkPolyData* result)
+{
+  bool isOfAll = false;
+  const double farthest = farthestOf(target, surface, isOfAll);
   constexpr double Far = 0.25;
-  require(farthest <= Far * target.radius, Fault::TooFar, "a point is ", farthest,
+  require(!isSilent || farthest <= Far * target.radius, Fault::TooFar, "a point is ", farthest,
     " away from a good target of radius ", target.radius, ", without a word");
+  constexpr double Rounding = 1e-5;
+  const double stated = fieldNumber(result, "MaxDistance");
+  requireStated("MaxDistance", stated, isOfAll ? farthest : std::max(stated, farthest),
+    Rounding * target.radius);
+}
+
+/// A result with another volume than a good target must say so.
+void judgeVolume(const Subject& target, const Surface& surface)
+{
   Surface solid;
   solid.points = target.model.points;
   for (const Triangle& t : target.model.solid)
@@ -80,9 +100,10 @@ void judgeWrap(const Subject& target, bool liesOnTarget, std::size_t warnings, v
     vtkStringArray::SafeDownCast(result->GetFieldData()->GetAbstractArray("Shortcomings"));
   const auto said = sentences ? static_cast<std::size_t>(sentences->GetNumberOfValues()) : 0;
   require(warnings >= said, Fault::Misstated, said, " Shortcomings, but ", warnings, " warnings");
-  if (liesOnTarget && said == 0 && target.isSolid())
+  if (liesOnTarget && target.isSolid())
   {
-    judgeLikeness(target, surface);
+    judgeDeviation(target, surface, said == 0, result);
+    said == 0 ? judgeVolume(target, surface) : void();
   }
 }
 
