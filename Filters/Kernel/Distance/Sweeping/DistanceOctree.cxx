@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace evolving
@@ -90,12 +91,14 @@ Box DistanceOctree::box(const Cell& cell) const
 
 Box DistanceOctree::closure(const Cell& cell) const
 {
-  // Neighbours' faces differ by rounding: a triangle in the crack between them would be lost.
-  constexpr double Rounding = 1e-9;
-  Box box = this->box(cell);
-  box.min() -= Rounding * this->Grid.spacing;
-  box.max() += Rounding * this->Grid.spacing;
-  return box;
+  // Neighbours' faces differ by the rounding of their coordinates: a triangle in the crack between
+  // them would be lost.
+  constexpr double OfACell = 1e-9;
+  constexpr double OfACoordinate = 4.0 * std::numeric_limits<double>::epsilon();
+  const Box box = this->box(cell);
+  const Vec3 farthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
+  const Vec3 margin = (OfACell * this->Grid.spacing).cwiseMax(OfACoordinate * farthest);
+  return { Vec3(box.min() - margin), Vec3(box.max() + margin) };
 }
 
 void DistanceOctree::setRoot(const AABBTree& tree)
