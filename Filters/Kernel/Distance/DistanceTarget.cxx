@@ -97,7 +97,7 @@ SurfaceMesh uniqueTriangles(
     throw InputError(message.str());
   }
   execution.report(0.4);
-  SurfaceMesh triangles = triangulate(welded, oldFace);
+  SurfaceMesh triangles = triangulate(welded, oldFace, execution.phase(0.4, 0.5));
   for (Index& face : oldFace)
   {
     face = oldOfWelded[at(face)];
