@@ -128,6 +128,16 @@ TEST(PolygonsAsTriangles, RepeatedCornersDoNotMatter)
 }
 
 //------------------------------------------------------------------------------
+/// A frame as one polygon, with a slit from the outline to the hole.
+TEST(PolygonsAsTriangles, AHoleWithASlitStaysOpen)
+{
+  const std::vector<Point> points = { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 },
+    { 0.5, 0.5, 0 }, { 0.5, 1.5, 0 }, { 1.5, 1.5, 0 }, { 1.5, 0.5, 0 } };
+  ExpectSameDistances(Sample::Make(points, { { 0, 1, 2, 3, 0, 4, 5, 6, 7, 4 } }),
+    Sample::Make(points, { { 0, 1, 7, 4 }, { 1, 2, 6, 7 }, { 2, 3, 5, 6 }, { 3, 0, 4, 5 } }));
+}
+
+//------------------------------------------------------------------------------
 TEST(PolygonsAsTriangles, ThoseWithoutAreaAddNothing)
 {
   // In a row, there and back, and one place alone.

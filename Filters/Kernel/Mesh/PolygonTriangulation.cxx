@@ -63,6 +63,7 @@ public:
     , Neighbours(corners.size())
     , Version(corners.size(), 0)
     , Blocked(corners.size())
+    , BlockedByEdges(corners.size())
   {
     const auto count = static_cast<Index>(corners.size());
     for (Index k = 0; k < count; ++k)
@@ -86,13 +87,7 @@ public:
     ++this->Version[at(ear)];
     this->renew(before);
     this->renew(after);
-    for (const Waiting& waiting : this->Blocked[at(ear)])
-    {
-      if (waiting.version == this->Version[at(waiting.corner)])
-      {
-        this->enqueue(waiting.corner);
-      }
-    }
+    this->reconsider(this->Blocked[at(ear)]);
     return { before, ear, after };
   }
 
@@ -135,6 +130,19 @@ private:
   {
     ++this->Version[at(k)];
     this->enqueue(k);
+    this->reconsider(this->BlockedByEdges[at(k)]);
+    this->BlockedByEdges[at(k)].clear();
+  }
+
+  void reconsider(const std::vector<Waiting>& corners)
+  {
+    for (const Waiting& waiting : corners)
+    {
+      if (waiting.version == this->Version[at(waiting.corner)])
+      {
+        this->enqueue(waiting.corner);
+      }
+    }
   }
 
   Index bestEar()
@@ -149,6 +157,29 @@ private:
       }
     }
     return this->Neighbours[at(this->First)].second;
+  }
+
+  /// Is a corner in the place of a triangle's corner, from where its edges do not enter the
+  /// triangle? Polygons with holes have such twins at the ends of the slits that lead there.
+  bool isTwinOutside(Index twin, const std::array<Index, 3>& triangle) const
+  {
+    const Vec3& p = this->corner(twin);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      if (this->corner(triangle[k]) == p)
+      {
+        const Vec3& next = this->corner(triangle[(k + 1) % 3]);
+        const Vec3& last = this->corner(triangle[(k + 2) % 3]);
+        const auto enters = [&](Index to)
+        {
+          return this->area(p, next, this->corner(to)) > 0.0 &&
+            this->area(p, this->corner(to), last) > 0.0;
+        };
+        const auto [before, after] = this->Neighbours[at(twin)];
+        return !enters(before) && !enters(after);
+      }
+    }
+    return false;
   }
 
   /// Notes down what it waits for if it is none.
@@ -167,10 +198,15 @@ private:
     {
       const Vec3& p = this->corner(other);
       const bool isInside = other != own[0] && other != own[1] && other != own[2] &&
-        this->area(a, b, p) >= 0.0 && this->area(b, c, p) >= 0.0 && this->area(c, a, p) >= 0.0;
+        this->area(a, b, p) >= 0.0 && this->area(b, c, p) >= 0.0 && this->area(c, a, p) >= 0.0 &&
+        !this->isTwinOutside(other, own);
       if (isInside)
       {
         this->Blocked[at(other)].push_back(candidate);
+        if (p == a || p == b || p == c)
+        {
+          this->BlockedByEdges[at(other)].push_back(candidate);
+        }
       }
       return isInside;
     };
@@ -182,9 +218,10 @@ private:
   Vec3 Normal;
   std::vector<Vec2> Seen; ///< along the normal
   PlanePointTree Left;
-  std::vector<std::pair<Index, Index>> Neighbours; ///< left before and after each
-  std::vector<int> Version;                        ///< of a corner's neighbours
-  std::vector<std::vector<Waiting>> Blocked;       ///< by each corner
+  std::vector<std::pair<Index, Index>> Neighbours;  ///< left before and after each
+  std::vector<int> Version;                         ///< of a corner's neighbours
+  std::vector<std::vector<Waiting>> Blocked;        ///< by each corner
+  std::vector<std::vector<Waiting>> BlockedByEdges; ///< of each corner, a twin of one of theirs
   std::priority_queue<Candidate> Candidates;
   Index First = 0; ///< that is left
 };

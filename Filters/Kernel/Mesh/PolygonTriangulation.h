@@ -21,9 +21,9 @@ namespace evolving
 
 /**
  * Cuts a polygon into corners.size() - 2 triangles by clipping ears, the ear with the shortest
- * cut first: right for every simple planar polygon, convex or not, and a reasonable surface for
- * one that is not planar. Thousands of corners take milliseconds (n log n steps, more where long
- * ears hold many corners).
+ * cut first: right for every simple planar polygon, convex or not, also with holes to which slits
+ * lead, and a reasonable surface for one that is not planar. Thousands of corners take milliseconds
+ * (n log n steps, more where long ears hold many corners).
  * @return numbers of the polygon's corners, three per triangle, in the polygon's orientation;
  * none for fewer than three
  * @throws Cancelled

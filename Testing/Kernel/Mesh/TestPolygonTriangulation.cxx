@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -72,7 +73,14 @@ Triangles clippedOneByOne(const std::vector<Vec3>& corners)
       for (std::size_t n = k + 2; isEar && n < k + left.size() - 1; ++n)
       {
         const Vec3 p = corner(n);
-        isEar = area(a, b, p) < 0.0 || area(b, c, p) < 0.0 || area(c, a, p) < 0.0;
+        const auto enters = [&](const Vec3& next, const Vec3& last)
+        {
+          return (area(p, next, corner(n - 1)) > 0.0 && area(p, corner(n - 1), last) > 0.0) ||
+            (area(p, next, corner(n + 1)) > 0.0 && area(p, corner(n + 1), last) > 0.0);
+        };
+        const bool isTwinOutside =
+          (p == a && !enters(b, c)) || (p == b && !enters(c, a)) || (p == c && !enters(a, b));
+        isEar = isTwinOutside || area(a, b, p) < 0.0 || area(b, c, p) < 0.0 || area(c, a, p) < 0.0;
       }
       best = isEar ? k : best;
       shortest = isEar ? (c - a).squaredNorm() : shortest;
@@ -229,5 +237,28 @@ TEST(PolygonTriangulation, OfTooFewCornersOrOnesBeyondSquaresIsFinite)
       corner *= scale;
     }
     EXPECT_EQ(triangulatePolygon(polygon).size(), 98U);
+  }
+}
+
+/// A square with square holes, to which slits lead: both ends of a slit are corners twice.
+TEST(PolygonTriangulation, LeavesHolesThatSlitsLeadTo)
+{
+  const auto at = [](double x, double y) { return Vec3(x, y, 0.0); };
+  const std::vector<Vec3> oneHole = { at(0, 0), at(4, 0), at(4, 4), at(0, 4), at(0, 0), at(1, 1),
+    at(1, 3), at(3, 3), at(3, 1), at(1, 1) };
+  const std::vector<Vec3> twoHoles = { at(0, 0), at(1, 1), at(1, 2), at(2, 2), at(2, 1), at(1, 1),
+    at(0, 0), at(9, 0), at(9, 4), at(8, 3), at(8, 1), at(5, 1), at(5, 3), at(8, 3), at(9, 4),
+    at(0, 4) };
+  for (std::vector<Vec3> polygon : { oneHole, twoHoles })
+  {
+    for (std::size_t first = 0; first < polygon.size(); ++first)
+    {
+      std::rotate(polygon.begin(), polygon.begin() + 1, polygon.end());
+      double smallest = 1.0;
+      const auto triangles = triangulatePolygon(polygon);
+      EXPECT_EQ(triangles.size(), polygon.size() - 2);
+      EXPECT_NEAR(areaOf(polygon, triangles, &smallest), polygonArea(polygon), 1e-12);
+      EXPECT_GE(smallest, 0.0) << "from corner " << first;
+    }
   }
 }
