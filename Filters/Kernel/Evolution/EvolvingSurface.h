@@ -60,10 +60,11 @@ public:
   /**
    * Asks the remesher, if there is one, for new elements.
    * @param isLast the flow ends here
+   * @return whether it gave any
    * @throws SolverError when they make no surface that can be evolved
-   * @throws Cancelled
+   * @throws what the remesher throws
    */
-  void remesh(bool isLast, const Execution& execution);
+  bool remesh(bool isLast, const Execution& execution);
 
   /// Since the last reset.
   int solverIterations() const { return this->SolverIterations; }

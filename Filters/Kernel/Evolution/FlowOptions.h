@@ -45,11 +45,13 @@ struct FlowOptions
   int remeshingInterval = 1;     ///< steps from remeshing to remeshing, with a remesher
   double solverTolerance = 1e-10;
 
+  int totalSteps() const { return this->numberOfSteps + this->smoothingSteps; }
   /// Is the step after that iteration one of the smoothing steps?
   bool isSmoothing(int iteration) const
   {
     return this->smoothingSteps > 0 && iteration >= this->numberOfSteps;
   }
+  bool isRemeshingDue(int iteration) const { return iteration % this->remeshingInterval == 0; }
 };
 
 bool operator==(const FlowOptions& a, const FlowOptions& b);

@@ -17,11 +17,13 @@
 #include "Evolution/Remesher.h"
 #include "Evolution/ScalarImage.h"
 #include "Evolution/StallTest.h"
+#include "Evolution/StepFailure.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
 #include "Redistribution/StateArrays.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,8 +66,8 @@ public:
   /// Empty, or one sentence that says at which step and why the run ended; that step is undone.
   const std::string& stopReason() const { return this->StopReason; }
 
-  /// One time step. A step that fails leaves the state before it and sets stopReason().
-  /// @throws Cancelled
+  /// One time step. A step that fails, for whatever reason, leaves the state before it and sets
+  /// stopReason(). @throws InputError when the first step cannot use the input. @throws Cancelled
   void step();
 
   const SurfaceMesh& mesh() const { return this->Surface.mesh(); }
@@ -87,12 +89,12 @@ private:
   void evaluate(const Execution& execution);
   void stepOrStop();
   void tidyLastState();
-  std::string tryStep(int parts, const Execution& execution);
+  std::optional<StepFailure> tryStep(int parts, const Execution& execution);
+  void restore(const FlowState& state, const Execution& execution);
   void arrive(const std::vector<Vec3>& before, const Execution& execution);
   void repeatState();
   void countIteration();
   bool hasStoppedMoving(const std::vector<Vec3>& before) const;
-  bool isRemeshingDue() const;
   bool hasStalled();
 
   FlowSetup Setup;
