@@ -230,8 +230,9 @@ void vtkShrinkWrap::Solve(vtkPolyData* input, const evolving::Execution& executi
       problem.start, problem.field, problem.remesher, problem.flow, host);
   };
   const int pointType = KernelBridge::PointType(input);
-  auto series = std::make_unique<EvolutionOutput>(pointType, true, makeFlow,
-    PublishedIterations(options), SeriesBytes, execution.phase(0.3, 0.9));
+  auto series =
+    std::make_unique<EvolutionOutput>(pointType, true, makeFlow, PublishedIterations(options),
+      SeriesBytes, execution.phase(0.3, 0.9), evolving::bytesOf(problem));
   evolving::SurfaceMesh result =
     series->Mesh(PublishedIterations(options).size() - 1, execution.phase(0.9, 0.9));
   KernelBridge::RoundPoints(pointType, result.points);

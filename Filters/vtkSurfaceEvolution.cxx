@@ -233,12 +233,13 @@ std::unique_ptr<EvolutionOutput> vtkSurfaceEvolution::Solve(vtkPolyData* input, 
   }
   const evolving::FlowOptions options = this->Options();
   const std::shared_ptr<evolving::Remesher> remesher = this->NewElements(*start);
+  const std::size_t imageBytes = image ? image->values().size() * sizeof(float) : 0;
   ++this->NumberOfSolves;
   auto series = std::make_unique<EvolutionOutput>(
     KernelBridge::PointType(input), image != nullptr,
     [start, image, remesher, options](const evolving::Execution& host)
     { return evolving::SurfaceFlow(start, image, remesher, options, host); },
-    published, Bytes(this->CacheLimit), execution);
+    published, Bytes(this->CacheLimit), execution, imageBytes);
   if (!series->Flow().stopReason().empty())
   {
     vtkErrorMacro(<< series->Flow().stopReason());

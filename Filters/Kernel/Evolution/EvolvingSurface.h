@@ -32,7 +32,7 @@ struct SurfacePlace
 /**
  * Owns the motion of the current elements, and replaces it when they change: reference normals,
  * boundary curves and components are those of the new surface, and the solvers start afresh.
- * What belongs to the run stays: the field, the guard's box and the smallest area that counts.
+ * What belongs to the flow stays: the field, the guard's box and the smallest area that counts.
  */
 class EvolvingSurface
 {

@@ -31,7 +31,7 @@ constexpr double GoodAngle = 30.0;
 constexpr double ShortestGood = 0.75;
 constexpr double LongestGood = 1.4;
 constexpr double FewEdges = 0.01;
-/// Passes between steps, which the next ones go on from, and where the run ends.
+/// Passes between steps, which the next ones go on from, and where the flow ends.
 constexpr int Passes = 2;
 constexpr int LastPasses = 5;
 constexpr int PolishPasses = 2;

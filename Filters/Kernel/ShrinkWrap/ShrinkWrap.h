@@ -19,6 +19,7 @@
 #include "ShrinkWrap/WrapReference.h"
 #include "ShrinkWrap/WrapRemesher.h"
 
+#include <cstddef>
 #include <memory>
 
 namespace evolving
@@ -43,6 +44,9 @@ struct ShrinkWrapProblem
  */
 ShrinkWrapProblem prepareShrinkWrap(
   const SurfaceMesh& mesh, const ShrinkWrapOptions& options, const Execution& execution = {});
+
+/// What a problem holds in memory for its flow, the start aside.
+std::size_t bytesOf(const ShrinkWrapProblem& problem);
 
 /**
  * What was reached of a problem.

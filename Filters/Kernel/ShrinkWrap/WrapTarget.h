@@ -36,6 +36,8 @@ struct WrapTarget
   double startLevel = 0.0; ///< of the start from the surface
 
   double cellSize() const { return this->grid.spacing.maxCoeff(); }
+  /// Frees what only the preparation of a flow reads: distance, signedDistance and startField.
+  void forgetSamples();
 };
 
 /**

@@ -52,16 +52,13 @@ void followRemeshed(const degenerate::Start& start, ElementSizing sizing, bool h
 
 TEST(DegenerateStarts, HaveFewVerticesAfterRemeshing)
 {
-  for (const double width : { 1e-3, 1e-6, 1e-14 })
+  for (const degenerate::Start& start : degenerate::starts(1e-6))
   {
-    for (const degenerate::Start& start : degenerate::starts(width))
-    {
-      for (const ElementSizing sizing :
-        { ElementSizing::Uniform, ElementSizing::CurvatureAdaptive })
-      {
-        followRemeshed(start, sizing, sizing == ElementSizing::Uniform);
-      }
-    }
+    followRemeshed(start, ElementSizing::Uniform, true);
+  }
+  for (const degenerate::Start& start : degenerate::starts(1e-14))
+  {
+    followRemeshed(start, ElementSizing::CurvatureAdaptive, false);
   }
 }
 
