@@ -76,10 +76,10 @@ void WriteRecords(const std::vector<evolving::FlowRecord>& records, vtkTable* ou
 //------------------------------------------------------------------------------
 EvolutionOutput::EvolutionOutput(int pointType, bool hasField,
   evolving::StateSeries::MakeFlow makeFlow, const std::vector<int>& published,
-  std::size_t memoryLimit, const evolving::Execution& execution)
+  std::size_t memoryLimit, const evolving::Execution& execution, std::size_t flowBytes)
   : Type(pointType)
   , HasField(hasField)
-  , Series(std::move(makeFlow), published, memoryLimit, execution,
+  , Series(std::move(makeFlow), published, memoryLimit, execution, flowBytes,
       [this](const evolving::SurfaceFlow& flow) { this->Measure(flow); })
 {
 }

@@ -29,10 +29,10 @@ class vtkTable;
 class EvolutionOutput
 {
 public:
-  /// Solves the flow. @param pointType the wanted one
+  /// Solves the flow; the last parameters are StateSeries'. @param pointType the wanted one
   EvolutionOutput(int pointType, bool hasField, evolving::StateSeries::MakeFlow makeFlow,
     const std::vector<int>& published, std::size_t memoryLimit,
-    const evolving::Execution& execution);
+    const evolving::Execution& execution, std::size_t flowBytes = 0);
 
   /**
    * Points, polygons, point arrays and field arrays of the state published as number i. States

@@ -196,7 +196,8 @@ void vtkShrinkWrap::Solve(vtkPolyData* input, const evolving::Execution& executi
       problem.start, problem.field, problem.remesher, problem.flow, host);
   };
   auto series = std::make_unique<EvolutionOutput>(KernelBridge::PointType(input), true, makeFlow,
-    PublishedIterations(options), SeriesBytes, execution.phase(0.3, 0.9));
+    PublishedIterations(options), SeriesBytes, execution.phase(0.3, 0.9),
+    evolving::bytesOf(problem));
   const evolving::SurfaceMesh result =
     series->Mesh(PublishedIterations(options).size() - 1, execution.phase(0.9, 0.9));
   this->Solved->Report = WrapReport::Examine(result, problem, *series, execution.phase(0.9, 1.0));

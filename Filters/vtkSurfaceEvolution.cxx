@@ -217,12 +217,13 @@ std::unique_ptr<EvolutionOutput> vtkSurfaceEvolution::Solve(vtkPolyData* input, 
   {
     remesher = std::make_shared<evolving::SurfaceRemesher>(*start, *remeshing);
   }
+  const std::size_t imageBytes = image ? image->values().size() * sizeof(float) : 0;
   ++this->NumberOfSolves;
   auto series = std::make_unique<EvolutionOutput>(
     KernelBridge::PointType(input), image != nullptr,
     [start, image, remesher, options](const evolving::Execution& host)
     { return evolving::SurfaceFlow(start, image, remesher, options, host); },
-    published, Bytes(this->CacheLimit), execution);
+    published, Bytes(this->CacheLimit), execution, imageBytes);
   if (series->PointType() != KernelBridge::PointType(input))
   {
     KernelBridge::WarnOfDoubles(this);

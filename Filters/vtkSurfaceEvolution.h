@@ -399,7 +399,8 @@ public:
   ///@{
   /**
    * Memory for the states of the series, in MiB. Above it every second state is dropped and
-   * computed again when asked for. The default is 2048, the range 1 and above.
+   * computed again when asked for; then what they are computed from counts too. The default is
+   * 2048, the range 1 and above.
    */
   vtkSetClampMacro(CacheLimit, int, 1, VTK_INT_MAX);
   vtkGetMacro(CacheLimit, int);

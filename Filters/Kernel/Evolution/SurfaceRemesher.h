@@ -9,6 +9,7 @@
 #ifndef EVOLVING_SURFACE_REMESHER_H
 #define EVOLVING_SURFACE_REMESHER_H
 
+#include "Evolution/ElementSizes.h"
 #include "Evolution/FlowOptions.h"
 #include "Evolution/Remesher.h"
 #include "Execution.h"
@@ -18,13 +19,6 @@
 
 namespace evolving
 {
-
-/// How large elements are where.
-enum class ElementSizing
-{
-  Uniform = 1,
-  CurvatureAdaptive = 2, ///< about as many as uniform ones, smaller where the surface is curved
-};
 
 struct SurfaceRemeshingOptions
 {
@@ -54,8 +48,9 @@ void checkOptions(const SurfaceRemeshingOptions& options);
  *
  * - Good elements stay as they are, except at the end of the flow, where all are made as good as
  *   can be.
- * - A component keeps at least some hundred vertices, however small it has become; one that has
- *   shrunk to a point (VanishedComponents) is left out when others remain.
+ * - A component keeps at least some hundred vertices, however small it has become
+ *   (setElementSizes()); one that has shrunk to a point (VanishedComponents) is left out when
+ *   others remain.
  * - A boundary keeps its shape: its edges are split, and only vertices in a straight line vanish.
  *   A boundary that moves freely may lose other ones as well.
  * - Where the surface comes without self-intersections, remeshing makes none.
@@ -69,8 +64,7 @@ public:
   /// The mean length that edges should have.
   double edgeLength() const { return this->Options.edgeLength; }
 
-  /// @throws InputError when a face is not a triangle, or as requireFewVertices(). @throws
-  /// Cancelled
+  /// @throws InputError when a face is not a triangle, or as setElementSizes(). @throws Cancelled
   std::optional<SurfaceMesh> remesh(
     const RemeshingInput& input, const Execution& execution) override;
 

@@ -15,6 +15,8 @@
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/ReferenceSurface.h"
 
+#include <cmath>
+
 namespace evolving
 {
 
@@ -25,12 +27,14 @@ struct RemeshingOptions
   int relaxations = 3;               ///< after each pass
   double damping = 0.7;
   CollapseLimits guards;
+  double mostVertices = HUGE_VAL; ///< on the way; what needs more is an InputError
 };
 
 /**
  * One pass: long edges are split, short ones collapsed, edges flipped for even valences, and
  * vertices relaxed along the reference (Botsch, Kobbelt, *A Remeshing Approach to Multiresolution
  * Modeling*, 2004). Sizes must be set. Unused vertices and faces are gone afterwards.
+ * @throws InputError when splitting makes more than mostVertices
  */
 void remeshOnce(EditableSurface& surface, const ReferenceSurface& reference,
   const RemeshingOptions& options, const Execution& execution = {});

@@ -115,7 +115,7 @@ FlowOptions flowFor(const WrapTarget& target, const ShrinkWrapOptions& options)
 ShrinkWrapProblem prepareShrinkWrap(const SurfaceMesh& mesh, const ShrinkWrapOptions& options,
   const Execution& execution, const WrapTuning& tuning)
 {
-  const auto target = std::make_shared<const WrapTarget>(
+  const auto target = std::make_shared<WrapTarget>(
     describeTarget(mesh, options, execution.phase(0.0, 0.4), tuning));
   const OuterRegion region(
     target->grid, target->startField, target->startLevel, execution.phase(0.4, 0.5));
@@ -124,6 +124,7 @@ ShrinkWrapProblem prepareShrinkWrap(const SurfaceMesh& mesh, const ShrinkWrapOpt
     std::make_shared<const WrapReference>(*target, region, execution.phase(0.5, 0.6));
   const auto remesher = std::make_shared<WrapRemesher>(target, reference, options);
   problem.field = levelField(*target, region, *reference);
+  target->forgetSamples(); // the remesher has the rest
   const SurfaceMesh start = options.start == WrapStart::Icosphere
     ? sphereStart(*target)
     : region.boundary(execution.phase(0.7, 0.8));
@@ -144,6 +145,11 @@ ShrinkWrapProblem prepareShrinkWrap(const SurfaceMesh& mesh, const ShrinkWrapOpt
   problem.flow = flowFor(*target, options);
   problem.edgeLength = target->edgeLength;
   return problem;
+}
+
+std::size_t bytesOf(const ShrinkWrapProblem& problem)
+{
+  return problem.field->values().size() * sizeof(float) + problem.reference->bytes();
 }
 
 SurfaceReport examineWrap(

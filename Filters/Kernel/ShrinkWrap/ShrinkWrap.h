@@ -20,6 +20,7 @@
 #include "ShrinkWrap/WrapRemesher.h"
 #include "ShrinkWrap/WrapTuning.h"
 
+#include <cstddef>
 #include <memory>
 
 namespace evolving
@@ -44,6 +45,9 @@ struct ShrinkWrapProblem
  */
 ShrinkWrapProblem prepareShrinkWrap(const SurfaceMesh& mesh, const ShrinkWrapOptions& options,
   const Execution& execution = {}, const WrapTuning& tuning = {});
+
+/// What a problem holds in memory for its flow, the start aside.
+std::size_t bytesOf(const ShrinkWrapProblem& problem);
 
 /**
  * What was reached of a problem.

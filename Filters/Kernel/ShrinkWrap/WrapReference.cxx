@@ -69,6 +69,20 @@ WrapReference::WrapReference(
   this->findSheets(execution.phase(0.8, 1.0));
 }
 
+std::size_t WrapReference::bytes() const
+{
+  // A triangle is held as corners and as measured, and has, by the surface area heuristic, about
+  // two nodes of the binary tree and one of its wide form.
+  constexpr std::size_t OfTree =
+    sizeof(Triangle) + sizeof(MeasuredTriangle<double>) + 3 * sizeof(BoxNode) + 4 * sizeof(Index);
+  // Of the mesh half a vertex.
+  constexpr std::size_t OfMesh = sizeof(Vec3) / 2 + 4 * sizeof(Index);
+  const auto count = [](Index triangles) { return static_cast<std::size_t>(triangles); };
+  return count(this->Visible.faceCount()) * OfMesh +
+    count(this->Levels.triangles.faceCount()) * (OfMesh + 3 * sizeof(double)) +
+    count(this->Tree.triangleCount() + (this->Sheets ? this->Sheets->triangleCount() : 0)) * OfTree;
+}
+
 void WrapReference::findSheets(const Execution& execution)
 {
   SurfaceMesh sheets;

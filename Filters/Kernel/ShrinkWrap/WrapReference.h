@@ -17,6 +17,7 @@
 #include "Trees/AABBTree.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -53,6 +54,8 @@ public:
   }
   /// The part of the target that can be reached from outside.
   const SurfaceMesh& visible() const { return this->Visible; }
+  /// About what it holds in memory.
+  std::size_t bytes() const;
 
 private:
   void findSheets(const Execution& execution);

@@ -101,6 +101,13 @@ SurfaceMesh withoutHoles(const SurfaceMesh& surface, double gapSize, double narr
 
 } // namespace
 
+void WrapTarget::forgetSamples()
+{
+  this->distance = std::vector<float>();
+  this->signedDistance = std::vector<float>();
+  this->startField = std::vector<float>();
+}
+
 WrapTarget describeTarget(const SurfaceMesh& mesh, const ShrinkWrapOptions& options,
   const Execution& execution, const WrapTuning& tuning)
 {

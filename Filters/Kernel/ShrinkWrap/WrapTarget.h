@@ -39,6 +39,8 @@ struct WrapTarget
   double cellSize() const { return this->grid.spacing.maxCoeff(); }
   /// The size of elements that makes remeshing end with edges of edgeLength.
   double elementSize() const { return this->tuning.finish.shortening * this->edgeLength; }
+  /// Frees what only the preparation of a flow reads: distance, signedDistance and startField.
+  void forgetSamples();
 };
 
 /**

@@ -5,6 +5,7 @@
 
 #include "Evolution/StateSeries.h"
 
+#include "AllocatedBytes.h"
 #include "Evolution/EvolutionShapes.h"
 #include "Evolution/Remeshers.h"
 
@@ -14,36 +15,12 @@
 #include <memory>
 #include <vector>
 
-#if defined(__GLIBC__) && (__GLIBC__ > 2 || __GLIBC_MINOR__ >= 33)
-#include <malloc.h>
-#endif
-
 using namespace evolving;
 
 namespace
 {
 
 constexpr int Steps = 150;
-constexpr double MiB = 1024.0 * 1024.0;
-
-/// Bytes that are allocated now; 0 where nobody counts them.
-double bytesInUse()
-{
-#if defined(__GLIBC__) && (__GLIBC__ > 2 || __GLIBC_MINOR__ >= 33)
-  const struct mallinfo2 counts = mallinfo2();
-  return static_cast<double>(counts.uordblks + counts.hblkhd);
-#else
-  return 0.0;
-#endif
-}
-
-/// Sanitizers bring an allocator of their own, which is not counted.
-bool allocatorCounts()
-{
-  const double before = bytesInUse();
-  const std::vector<char> block(1 << 20, 'x');
-  return bytesInUse() - before >= MiB && block.back() == 'x';
-}
 
 /// Memory in MiB: held when the series is there, and at most while it was made.
 struct Memory
@@ -79,7 +56,7 @@ constexpr double OneState = 2562 * (4 * 3 + 6) * sizeof(double) / MiB;
 
 } // namespace
 
-TEST(FlowSeriesMemory, ASeriesHoldsItsStatesAndLittleElse)
+TEST(StateSeriesMemory, ASeriesHoldsItsStatesAndLittleElse)
 {
   if (!allocatorCounts())
   {
@@ -90,7 +67,7 @@ TEST(FlowSeriesMemory, ASeriesHoldsItsStatesAndLittleElse)
   EXPECT_LT(all.held, 1.02 * (Steps + 1) * OneState);
 }
 
-TEST(FlowSeriesMemory, TheLimitHoldsDuringTheSolveToo)
+TEST(StateSeriesMemory, TheLimitHoldsDuringTheSolveToo)
 {
   if (!allocatorCounts())
   {
@@ -109,7 +86,7 @@ TEST(FlowSeriesMemory, TheLimitHoldsDuringTheSolveToo)
   }
 }
 
-TEST(FlowSeriesMemory, TheLimitHoldsWithNewElementsInEveryStep)
+TEST(StateSeriesMemory, TheLimitHoldsWithNewElementsInEveryStep)
 {
   if (!allocatorCounts())
   {
@@ -123,7 +100,7 @@ TEST(FlowSeriesMemory, TheLimitHoldsWithNewElementsInEveryStep)
   }
 }
 
-TEST(FlowSeriesMemory, TheEndsAreKeptWhateverTheLimit)
+TEST(StateSeriesMemory, TheEndsAreKeptWhateverTheLimit)
 {
   if (!allocatorCounts())
   {

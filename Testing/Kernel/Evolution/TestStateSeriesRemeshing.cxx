@@ -69,7 +69,7 @@ constexpr std::size_t LargeState = 642 * (4 * 3 + 5) * sizeof(double) + 1281 * 4
 
 } // namespace
 
-TEST(FlowSeriesRemeshing, StatesHaveTheirElementsForwardsAndBackwards)
+TEST(StateSeriesRemeshing, StatesHaveTheirElementsForwardsAndBackwards)
 {
   int made = 0;
   StateSeries series = refinedAndCoarsened(NoLimit, &made);
@@ -86,7 +86,7 @@ TEST(FlowSeriesRemeshing, StatesHaveTheirElementsForwardsAndBackwards)
   EXPECT_EQ(made, 1);
 }
 
-TEST(FlowSeriesRemeshing, DroppedStatesGetTheirElementsAgain)
+TEST(StateSeriesRemeshing, DroppedStatesGetTheirElementsAgain)
 {
   int made = 0;
   StateSeries whole = refinedAndCoarsened(NoLimit, &made);
@@ -106,7 +106,7 @@ TEST(FlowSeriesRemeshing, DroppedStatesGetTheirElementsAgain)
   EXPECT_GT(made, 0);
 }
 
-TEST(FlowSeriesRemeshing, KeptStatesShareWhatRemeshingGaveThem)
+TEST(StateSeriesRemeshing, KeptStatesShareWhatRemeshingGaveThem)
 {
   int made = 0;
   StateSeries series = refinedAndCoarsened(NoLimit, &made);
