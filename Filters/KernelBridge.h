@@ -24,6 +24,7 @@
 #include "Mesh/SurfaceMesh.h"
 #include "Mesh/TopologySummary.h"
 #include "Redistribution/SurfaceRedistribution.h"
+#include "ShrinkWrap/Shortcomings.h"
 #include "ShrinkWrap/ShrinkWrap.h"
 #include "ShrinkWrap/SurfaceReport.h"
 #include "StartSurface/PrimitiveSurfaces.h"
@@ -183,6 +184,9 @@ int RefuseUnlessEmpty(vtkAlgorithm* filter, vtkPolyData* input);
  */
 void RequireMemory(
   evolving::GridIndex samples, const evolving::SignedDistanceOptions& options = {});
+
+/// The same for a computation of so many bytes for each sample, with what to do instead.
+void RequireMemory(evolving::GridIndex samples, int bytesPerSample, const char* advice);
 
 /// A number that changes when points, cells, image samples or their layout change.
 std::uint64_t ContentHash(vtkDataSet* data);

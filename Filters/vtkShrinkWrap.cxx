@@ -220,7 +220,8 @@ void vtkShrinkWrap::Solve(vtkPolyData* input, const evolving::Execution& executi
 {
   ++this->NumberOfSolves;
   const int* n = this->SampleDimensions;
-  KernelBridge::RequireMemory(evolving::GridIndex(n[0]) * n[1] * n[2]);
+  KernelBridge::RequireMemory(evolving::GridIndex(n[0]) * n[1] * n[2],
+    evolving::wrapBytesPerSample(), "lower SampleDimensions");
   const evolving::ShrinkWrapOptions options = this->Options();
   const evolving::ShrinkWrapProblem problem =
     evolving::prepareShrinkWrap(ReadTarget(input), options, execution.phase(0.0, 0.3));
