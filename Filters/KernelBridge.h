@@ -27,6 +27,7 @@
 #include "Mesh/TopologySummary.h"
 #include "Operators/SpoiledElements.h"
 #include "Redistribution/SurfaceRedistribution.h"
+#include "ShrinkWrap/Shortcomings.h"
 #include "ShrinkWrap/ShrinkWrap.h"
 #include "ShrinkWrap/SurfaceReport.h"
 #include "StartSurface/PrimitiveSurfaces.h"
@@ -203,6 +204,9 @@ int RefuseUnlessEmpty(vtkAlgorithm* filter, vtkPolyData* input);
  */
 void RequireMemory(
   evolving::GridIndex samples, const evolving::SignedDistanceOptions& options = {});
+
+/// The same for a computation of so many bytes for each sample, with what to do instead.
+void RequireMemory(evolving::GridIndex samples, int bytesPerSample, const char* advice);
 
 /// A number that changes when points, their type, cells, image samples or their layout change: all
 /// of a data set that the filters' outputs depend on.

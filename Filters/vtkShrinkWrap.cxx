@@ -185,7 +185,8 @@ void vtkShrinkWrap::Solve(vtkPolyData* input, const evolving::Execution& executi
 {
   ++this->NumberOfSolves;
   const int* n = this->SampleDimensions;
-  KernelBridge::RequireMemory(evolving::GridIndex(n[0]) * n[1] * n[2]);
+  KernelBridge::RequireMemory(evolving::GridIndex(n[0]) * n[1] * n[2],
+    evolving::wrapBytesPerSample(), "lower SampleDimensions");
   const evolving::ShrinkWrapOptions options = this->Options();
   const KernelBridge::UsableMesh target = KernelBridge::ReadUsable(input);
   const evolving::ShrinkWrapProblem problem =

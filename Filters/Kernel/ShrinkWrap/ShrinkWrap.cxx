@@ -3,6 +3,7 @@
 
 #include "ShrinkWrap/ShrinkWrap.h"
 
+#include "Distance/SignedDistance.h"
 #include "Errors.h"
 #include "ParallelLoops.h"
 #include "Remeshing/EditableSurface.h"
@@ -10,6 +11,7 @@
 #include "Remeshing/TargetSamples.h"
 #include "Remeshing/VertexBudget.h"
 #include "ShrinkWrap/OuterRegion.h"
+#include "ShrinkWrap/Shortcomings.h"
 #include "ShrinkWrap/WrapRemesher.h"
 #include "ShrinkWrap/WrapTarget.h"
 #include "StartSurface/BoundingIcosphere.h"
@@ -33,19 +35,18 @@ constexpr double SolverTolerance = 1e-6;
  * target it is near enough to land. What the region contains is outside; next to the target its
  * own sides count, but not where it has sheets.
  */
-std::shared_ptr<const ScalarImage> levelField(
-  const WrapTarget& target, const OuterRegion& region, const WrapReference& reference)
+std::shared_ptr<const ScalarImage> levelField(const WrapTarget& target, TargetFields fields,
+  const OuterRegion& region, const WrapReference& reference)
 {
   const bool hasSheets = reference.hasSheets();
   const double level = hasSheets ? std::max(target.offset, target.wall) : target.offset;
-  std::vector<float> values(target.distance.size());
-  for (std::size_t sample = 0; sample < values.size(); ++sample)
+  for (std::size_t sample = 0; sample < fields.distance.size(); ++sample)
   {
-    const bool isOutside = hasSheets || region.contains(sample);
-    const float distance = isOutside ? target.distance[sample] : target.signedDistance[sample];
-    values[sample] = distance - static_cast<float>(level);
+    const bool isOutside = hasSheets || region.contains(sample) || !fields.isInside[sample];
+    float& value = fields.distance[sample];
+    value = (isOutside ? value : -value) - static_cast<float>(level);
   }
-  return std::make_shared<const ScalarImage>(target.grid, std::move(values));
+  return std::make_shared<const ScalarImage>(target.grid, std::move(fields.distance));
 }
 
 /// An isosurface has about the area that the result will have.
@@ -112,19 +113,27 @@ FlowOptions flowFor(const WrapTarget& target, const ShrinkWrapOptions& options)
 
 } // namespace
 
+int wrapBytesPerSample()
+{
+  constexpr int Distance = 4;
+  constexpr int Inside = 1;
+  constexpr int Boundary = 6; // its triangles and their tree, measured
+  return Distance + Inside + peakBytesPerSample({}) + Boundary;
+}
+
 ShrinkWrapProblem prepareShrinkWrap(const SurfaceMesh& mesh, const ShrinkWrapOptions& options,
   const Execution& execution, const WrapTuning& tuning)
 {
-  const auto target = std::make_shared<WrapTarget>(
-    describeTarget(mesh, options, execution.phase(0.0, 0.4), tuning));
+  DescribedTarget described = describeTarget(mesh, options, execution.phase(0.0, 0.4), tuning);
+  const auto target = std::make_shared<const WrapTarget>(std::move(described.target));
+  TargetFields& fields = described.fields;
   const OuterRegion region(
-    target->grid, target->startField, target->startLevel, execution.phase(0.4, 0.5));
+    target->grid, std::move(fields.start), target->startLevel, execution.phase(0.4, 0.5));
   ShrinkWrapProblem problem;
   const auto reference =
     std::make_shared<const WrapReference>(*target, region, execution.phase(0.5, 0.6));
   const auto remesher = std::make_shared<WrapRemesher>(target, reference, options);
-  problem.field = levelField(*target, region, *reference);
-  target->forgetSamples(); // the remesher has the rest
+  problem.field = levelField(*target, std::move(fields), region, *reference);
   const SurfaceMesh start = options.start == WrapStart::Icosphere
     ? sphereStart(*target)
     : region.boundary(execution.phase(0.7, 0.8));
@@ -144,6 +153,7 @@ ShrinkWrapProblem prepareShrinkWrap(const SurfaceMesh& mesh, const ShrinkWrapOpt
   problem.remesher = remesher;
   problem.flow = flowFor(*target, options);
   problem.edgeLength = target->edgeLength;
+  problem.modelSize = target->modelSize();
   return problem;
 }
 
@@ -159,10 +169,12 @@ SurfaceReport examineWrap(
   SurfaceReport report = examine(
     surface, [&reference](const Vec3& p) { return reference.deviation(p); },
     execution.phase(0.0, 0.6));
-  const double far = FarEdges * problem.edgeLength + reference.highestLevel();
+  const double far = farDistance(problem.edgeLength, problem.modelSize) + reference.highestLevel();
   measureLoss(surface, samplesOf(reference.visible(), problem.edgeLength), far, report,
     execution.phase(0.6, 1.0));
   report.creases = problem.remesher->creases();
+  report.coarse = findCoarseParts(surface);
+  report.modelSize = problem.modelSize;
   return report;
 }
 

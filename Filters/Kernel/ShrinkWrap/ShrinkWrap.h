@@ -35,7 +35,15 @@ struct ShrinkWrapProblem
   FlowOptions flow;                               ///< in absolute units
   std::shared_ptr<const WrapReference> reference; ///< where the result shall lie, exactly
   double edgeLength = 0.0;                        ///< of the result
+  double modelSize = 0.0; ///< the diagonal of the box that the result should fill
 };
+
+/**
+ * Bytes for each sample that prepareShrinkWrap() holds at its peak, on a grid of 100^3 samples: the
+ * distance to the target, the samples that balls come to, what signedDistance() needs for the
+ * distance to their boundary, and the boundary itself. Surfaces count less on larger grids.
+ */
+int wrapBytesPerSample();
 
 /**
  * @param mesh the target: triangles in any state, or points only; not empty
