@@ -39,9 +39,10 @@ struct ShrinkWrapProblem
 };
 
 /**
- * Bytes for each sample that prepareShrinkWrap() holds at its peak, on a grid of 100^3 samples: the
+ * Bytes for each sample that prepareShrinkWrap() holds at its peak, on a ball of 100^3 samples: the
  * distance to the target, the samples that balls come to, what signedDistance() needs for the
- * distance to their boundary, and the boundary itself. Surfaces count less on larger grids.
+ * distance to their boundary, and the boundary itself. That counts more where balls come to both
+ * sides of a surface (14 bytes there), and less and less on larger grids.
  */
 int wrapBytesPerSample();
 
