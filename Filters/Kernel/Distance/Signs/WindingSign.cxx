@@ -8,8 +8,10 @@
 #include "Trees/AABBTree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace evolving
 {
@@ -17,37 +19,63 @@ namespace evolving
 namespace
 {
 
-SurfaceMesh segmentsOf(const DistanceTarget& target)
+/// The cells of a grid that middles of short pieces of the open edges are in, as points: of
+/// thousands of edges in one cell one point.
+SurfaceMesh cellsOfOpenEdges(const DistanceTarget& target, double cell)
 {
-  SurfaceMesh segments;
-  segments.points = target.mesh.points;
+  std::set<std::array<double, 3>> cells;
   for (const auto& [from, to] : target.orientation.openEdges)
   {
-    segments.addFace({ from, to, to });
+    const Vec3& start = target.mesh.points[at(from)];
+    const Vec3 way = target.mesh.points[at(to)] - start;
+    const double pieces = std::ceil(way.norm() / cell);
+    for (double piece = 0.5; piece < pieces; piece += 1.0)
+    {
+      const Vec3 place = (start + piece / pieces * way) / cell;
+      cells.insert({ std::floor(place.x()), std::floor(place.y()), std::floor(place.z()) });
+    }
   }
-  return segments;
+  SurfaceMesh points;
+  for (const auto& [x, y, z] : cells)
+  {
+    const Index point = points.addPoint(cell * Vec3(x + 0.5, y + 0.5, z + 0.5));
+    points.addFace({ point, point, point });
+  }
+  return points;
+}
+
+/// A step between samples, but of a model far larger than the grid's part of it not too many.
+double cellOfOpenEdges(const DistanceTarget& target, const DistanceGrid& grid)
+{
+  constexpr double MostPieces = 100000.0;
+  return std::max(grid.spacing.maxCoeff(), target.orientation.openLength / MostPieces);
 }
 
 /// How fast the winding number can change between crossings of the surface.
 class OpenEdges
 {
 public:
-  explicit OpenEdges(const DistanceTarget& target)
-    : Tree(segmentsOf(target))
+  /// @param cell which distances may fall short by, and half of it
+  OpenEdges(const DistanceTarget& target, double cell)
+    : Tree(cellsOfOpenEdges(target, cell))
+    , Slack((0.5 * std::sqrt(3.0) + 0.5) * cell) // half a cell's diagonal, and half a piece
     , Strength(target.orientation.openLength / (4.0 * Pi))
   {
   }
 
+  /// A lower bound.
   double distance(const Vec3& point) const
   {
-    return this->Tree.isEmpty() ? std::numeric_limits<double>::infinity()
-                                : std::sqrt(this->Tree.closest(point).at.squaredDistance);
+    return this->Tree.isEmpty()
+      ? std::numeric_limits<double>::infinity()
+      : std::sqrt(this->Tree.closest(point).at.squaredDistance) - this->Slack;
   }
   /// Per unit of way, at a distance.
   double largestChange(double distance) const { return this->Strength / (distance * distance); }
 
 private:
   AABBTree Tree;
+  double Slack;
   double Strength;
 };
 
@@ -218,7 +246,8 @@ std::vector<char> insideByWindingNumber(const DistanceTarget& target, const Dist
   const std::vector<float>& clearance, const Execution& execution)
 {
   const WindingField field{ WindingNumber(trianglesOf(target.mesh), execution.phase(0.0, 0.2)),
-    OpenEdges(target), AABBTree(target.mesh, execution.phase(0.2, 0.3)) };
+    OpenEdges(target, cellOfOpenEdges(target, grid)),
+    AABBTree(target.mesh, execution.phase(0.2, 0.3)) };
   std::vector<char> inside(clearance.size(), 0);
   const RowsInside rows(field, grid, clearance, inside);
   constexpr std::int64_t RowGrain = 16;
