@@ -20,7 +20,8 @@ struct TargetTuning
 {
   ///@{
   /// From the target to the start surface: near enough for its holes and handles to be there, and
-  /// to arrive without folds; in cells, so that the grid does not show in the start.
+  /// to arrive without folds (columns "mean least" and p1: nearer and farther starts cost five
+  /// degrees); in cells, so that the grid does not show in the start.
   double startPerEdge = 0.5;
   double startPerCell = 0.8;
   ///@}
@@ -35,8 +36,7 @@ struct TargetTuning
   double crackStepEdges = 0.5;
   double closedPart = 0.5;
   ///@}
-  /// Narrower openings are closed: a tube needs six elements around to look round, and one whose
-  /// diameter is two edge lengths has as many.
+  /// Openings of a smaller diameter are closed: elements cannot line the thin pipes behind them.
   double narrowEdges = 6.0;
 };
 
@@ -44,7 +44,8 @@ struct TargetTuning
 struct FlowTuning
 {
   ///@{
-  /// Squared edge lengths that curvature smooths over in a step. From a sphere more: it draws the
+  /// Squared edge lengths that curvature smooths over in a step: half and twice as much cost angles
+  /// ("mean least"). From a sphere more: it draws the
   /// rims of double sheets back (FrontContacts.h).
   double curvaturePerStep = 0.1;
   double sphereCurvaturePerStep = 0.6;
@@ -81,7 +82,9 @@ struct FinishTuning
   /// 4/3 of a size stay (EdgeLengthLimits.h), and so are a little longer on average.
   double shortening = 0.97;
   ///@{
-  /// Of remeshing. More before creases are captured would wear the acute ones off.
+  /// Of remeshing. More before creases are captured would wear the acute ones off, fewer leave
+  /// elements that do not fit them; the passes afterwards make good what capture leaves, and too
+  /// many move along the creases what fits (column "least angle" with --features).
   int uniformPasses = 10;
   int passesBeforeCapture = 4;
   int capturePasses = 16;
@@ -102,7 +105,8 @@ struct FinishTuning
   double adaptedInertia = 0.5;
   ///@}
   ///@{
-  /// Smallest angles up to this are worth a search, and how many rounds of it.
+  /// Smallest angles up to this are worth a search, and how many rounds of it: more cost distance
+  /// (hausdorff, forward rms), fewer angles.
   double wantedAngle = 46.0;
   int starRounds = 5;
   ///@}
@@ -111,7 +115,7 @@ struct FinishTuning
   ///@{
   /// Peaks of the target up to so far beside a face and so deep are reached for, in rounds that
   /// may cost elements their angles down to the bearable one, and a last one after which no angle
-  /// is smaller than the least one.
+  /// is smaller than the least one (hausdorff against "least angle" and CPU s).
   double farthestPeak = 1.5;
   double deepestValley = 0.35;
   double bearableAngle = 38.0;
@@ -127,13 +131,14 @@ struct FinishTuning
   /// that leave smaller angles are undone there.
   double leastAngleOfAdapted = 15.0;
   ///@{
-  /// Creases that leave elements smaller angles than this are let go; remeshing after it may need
-  /// some rounds.
+  /// Creases that leave elements smaller angles than this are let go: half of an equilateral one's.
+  /// Remeshing after it may need some rounds; on most models one is enough.
   double leastFeatureAngle = 30.0;
   int releaseRounds = 3;
   int releasePasses = 2;
   ///@}
-  /// Faces farther from their patch of the target have no place there.
+  /// Faces farther from their patch of the target have no place there. Nearer than that, many that
+  /// belong there are lost (column "least angle" with --features).
   double reachSizes = 2.0;
   int settleRounds = 2;  ///< at rims of walls
   int landingRounds = 4; ///< on an offset, which is a promise for vertices
