@@ -22,8 +22,8 @@ namespace
 /// Are all points numbers, and those of every edge two, after rounding?
 bool IsHeldBy(int pointType, const evolving::SurfaceMesh& mesh)
 {
-  std::vector<evolving::Vec3> points = mesh.points;
-  KernelBridge::RoundPoints(pointType, points);
+  const std::vector<evolving::Vec3> points =
+    pointType == VTK_FLOAT ? evolving::roundedToFloats(mesh.points) : mesh.points;
   const auto isNumber = [](const evolving::Vec3& point) { return point.allFinite(); };
   bool isHeld = std::all_of(points.begin(), points.end(), isNumber);
   for (evolving::Index face = 0; isHeld && face < mesh.faceCount(); ++face)
