@@ -151,6 +151,19 @@ Surface ReadAnyPointSet(vtkPolyData* input)
 }
 
 //------------------------------------------------------------------------------
+/// Of a face, or the point of that number where there are no faces.
+evolving::Vec3 FirstNotFinite(const evolving::SurfaceMesh& mesh, evolving::Index number)
+{
+  const bool isFace = mesh.faceCount() > 0;
+  evolving::Index corner = 0;
+  while (isFace && mesh.facePoint(number, corner).allFinite())
+  {
+    ++corner;
+  }
+  return isFace ? mesh.facePoint(number, corner) : mesh.points[static_cast<std::size_t>(number)];
+}
+
+//------------------------------------------------------------------------------
 /// What the kernel's validate() requires, in the input's cell numbers, which it does not know.
 void RequireUndamaged(const Surface& surface)
 {
@@ -169,7 +182,8 @@ void RequireUndamaged(const Surface& surface)
   }
   else
   {
-    message << " has coordinates that are not finite, expected numbers";
+    message << " has the coordinates (" << FirstNotFinite(surface.mesh, first).transpose()
+            << "), expected finite numbers";
   }
   message << "; remove or repair it before this filter.";
   throw evolving::InputError(message.str());

@@ -11,6 +11,7 @@
 #include "Evolution/Remeshers.h"
 #include "Evolution/RoundShapes.h"
 #include "Evolution/StateMeasures.h"
+#include "Mesh/MeshQuality.h"
 
 #include <gtest/gtest.h>
 

@@ -72,7 +72,7 @@ TEST(HandedOutRecords, ASeriesShowsEveryStep)
   std::vector<FlowRecord> seen;
   const auto observe = [&seen](const SurfaceFlow& flow) { seen.push_back(flow.record()); };
   const StateSeries series([](const Execution&) { return exampleFlow(7); },
-    publishedIterations(7, 0, 3), std::size_t(1) << 30, Execution(), observe);
+    publishedIterations(7, 0, 3), std::size_t(1) << 30, Execution(), 0, observe);
   ASSERT_EQ(seen.size(), 8u);
   ASSERT_EQ(series.history().size(), 8u);
   for (std::size_t i = 0; i < seen.size(); ++i)
