@@ -119,6 +119,13 @@ private:
     {
       return false;
     }
+    // Normals of fins, however narrow, say nothing of the solid's sides.
+    const Topology& topology = this->Input.topology;
+    const bool hasFins = !topology.isClosed() || !topology.isManifold();
+    if (this->Sign == vtkMeshSDF::PSEUDONORMAL && hasFins)
+    {
+      return false;
+    }
     const bool byCells = this->Sign == vtkMeshSDF::FLOOD_FILL;
     const double margin = byCells ? 2.0 * this->Cell : 1e-3 * this->Cell + this->roundingAt(place);
     if (distance <= margin || (byCells && !this->isAllInGrid()))
