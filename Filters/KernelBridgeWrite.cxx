@@ -99,9 +99,10 @@ int PointType(vtkPointSet* input)
 void WarnOfDoubles(vtkAlgorithm* filter)
 {
   vtkWarningWithObjectMacro(filter,
-    << "The points of the output are double although those of the input are float: where they lie, "
-       "floats are too far apart for triangles as small as these; move the input nearer to the "
-       "origin to keep float.");
+    << "The points of the output are double although those of the input are float: rounded to "
+       "float, "
+       "elements as small as these would lose their shapes or run through each other; larger ones, "
+       "or an input nearer to the origin, keep float.");
 }
 
 //------------------------------------------------------------------------------

@@ -45,6 +45,12 @@ bool hasWrongVertices(const Model& model)
     });
 }
 
+bool hasShortStrips(const Model& model)
+{
+  return std::any_of(
+    model.strips.begin(), model.strips.end(), [](const Cell& strip) { return strip.size() < 3; });
+}
+
 bool hasNaNVertices(const Model& model)
 {
   const auto isNaN = [&](std::int64_t id)
@@ -68,7 +74,8 @@ Subject::Subject(const Model& made)
   , centre(centreOf(made))
 {
   this->hasFaces = !made.polygons.empty() || !made.strips.empty();
-  this->isDamaged = this->hasFaces ? !hasUsableFaces(this->surface) : hasWrongVertices(made);
+  this->isDamaged = this->hasFaces ? !hasUsableFaces(this->surface) || hasShortStrips(made)
+                                   : hasWrongVertices(made);
   if (!this->isDamaged)
   {
     this->hasNaN = this->hasFaces ? !hasFiniteCorners(this->surface) : hasNaNVertices(made);

@@ -53,7 +53,7 @@ public:
     const double area = areaOf(this->Input.joined);
     const bool hasExtent = this->Input.hasFaces
       ? area > LeastArea * this->Input.radius * this->Input.radius
-      : this->Input.isUsable() && this->hasTwoPlaces();
+      : this->Input.isUsable() && this->hasSurface();
     return this->Parameters.areSensible() && !this->IsCoarse && this->Input.isUsable() && hasExtent;
   }
 
@@ -70,12 +70,23 @@ public:
   }
 
 private:
-  bool hasTwoPlaces() const
+  /// Do four of the points span more than a line? Fewer, or points on a line, have no surface.
+  bool hasSurface() const
   {
     const auto& points = this->Input.model.points;
-    return this->Input.model.vertices.empty() && !points.empty() &&
-      std::any_of(
-        points.begin(), points.end(), [&](const Vec3& point) { return point != points.front(); });
+    if (!this->Input.model.vertices.empty() || points.size() < 4)
+    {
+      return false;
+    }
+    Vec3 way = Vec3::Zero();
+    for (const Vec3& point : points)
+    {
+      way = (point - points.front()).norm() > way.norm() ? Vec3(point - points.front()) : way;
+    }
+    constexpr double Wide = 1e-3; // of their extent
+    return std::any_of(points.begin(), points.end(),
+      [&](const Vec3& point)
+      { return (point - points.front()).cross(way).norm() > Wide * way.squaredNorm(); });
   }
 
   void draw(Random& random)

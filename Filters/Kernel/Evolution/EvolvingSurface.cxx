@@ -33,17 +33,18 @@ void EvolvingSurface::setElements(
   this->HasVelocities = false;
 }
 
-StateArrays EvolvingSurface::measuredArrays(
-  const std::vector<Vec3>& points, const Execution& execution) const
+double EvolvingSurface::areaAt(const std::vector<Vec3>& points, const Execution& execution) const
 {
   SurfaceMesh mesh = this->mesh();
   mesh.points = points;
+  if (mesh.hasOnlyTriangles())
+  {
+    return surfaceArea(mesh);
+  }
+  // Polygons that are not planar have the area of the triangles around their virtual vertices.
   FiniteVolumes volumes = this->Motion->geometry().volumes();
   volumes.update(mesh, execution);
-  StateArrays arrays;
-  arrays.coVolume = volumes.coVolumes();
-  arrays.distance = this->Field->valuesAt(points, execution);
-  return arrays;
+  return totalArea(volumes.coVolumes(), execution);
 }
 
 void EvolvingSurface::setPlace(const SurfacePlace& place, const Execution& execution)

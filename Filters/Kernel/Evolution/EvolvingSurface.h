@@ -49,8 +49,8 @@ public:
   const SurfaceMesh& mesh() const { return this->Motion->mesh(); }
   /// Of the last evaluation.
   StateArrays arrays() const { return this->Motion->arrays(); }
-  /// The arrays that measureState() reads, with the points elsewhere.
-  StateArrays measuredArrays(const std::vector<Vec3>& points, const Execution& execution) const;
+  /// The area of its elements with other points.
+  double areaAt(const std::vector<Vec3>& points, const Execution& execution) const;
 
   SurfacePlace place() const { return { this->Origin, this->Motion->position() }; }
   void setPlace(const SurfacePlace& place, const Execution& execution);

@@ -5,6 +5,7 @@
 
 #include "Errors.h"
 #include "Evolution/StateMeasures.h"
+#include "Mesh/MeshQuality.h"
 
 #include <algorithm>
 #include <chrono>
@@ -84,11 +85,13 @@ void SurfaceFlow::evaluate(const Execution& execution)
 
 FlowRecord SurfaceFlow::recordAt(const std::vector<Vec3>& points) const
 {
+  const Execution now = this->stepExecution().phase(0.0, 0.0);
   SurfaceMesh mesh = this->mesh();
   mesh.points = points;
   FlowRecord record = this->Record;
-  const Execution now = this->stepExecution().phase(0.0, 0.0);
-  measureState(mesh, this->Center, this->Surface.measuredArrays(points, now), record, now);
+  record.area = this->Surface.areaAt(points, now);
+  record.volume = signedVolume(mesh, this->Center);
+  record.minAngle = smallestAngle(mesh, now);
   return record;
 }
 

@@ -73,7 +73,8 @@ public:
   const SurfaceMesh& mesh() const { return this->Surface.mesh(); }
   const StateArrays& arrays() const { return this->Arrays; }
   const FlowRecord& record() const { return this->Record; }
-  /// The record of the current state with its points elsewhere: where they are handed out.
+  /// The record of the current state, its area, volume and smallest angle for points that are
+  /// handed out elsewhere; its distances are those of the state's arrays.
   FlowRecord recordAt(const std::vector<Vec3>& points) const;
   /// A copy of the current state.
   FlowState state() const;
