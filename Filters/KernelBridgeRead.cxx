@@ -58,11 +58,11 @@ void RequireUndamaged(const Surface& surface)
 }
 
 //------------------------------------------------------------------------------
-Surface SplitIntoTriangles(const Surface& surface)
+Surface SplitIntoTriangles(const Surface& surface, const evolving::Execution& execution)
 {
   Surface split;
   std::vector<evolving::Index> oldFace;
-  split.mesh = evolving::triangulate(surface.mesh, oldFace);
+  split.mesh = evolving::triangulate(surface.mesh, oldFace, execution);
   for (const evolving::Index face : oldFace)
   {
     split.cellOfFace.push_back(surface.cellOfFace[static_cast<std::size_t>(face)]);
@@ -81,10 +81,10 @@ Surface ReadSurface(vtkPolyData* input)
 }
 
 //------------------------------------------------------------------------------
-Surface ReadTriangles(vtkPolyData* input)
+Surface ReadTriangles(vtkPolyData* input, const evolving::Execution& execution)
 {
   Surface surface = ReadSurface(input);
-  return surface.mesh.hasOnlyTriangles() ? surface : SplitIntoTriangles(surface);
+  return surface.mesh.hasOnlyTriangles() ? surface : SplitIntoTriangles(surface, execution);
 }
 
 //------------------------------------------------------------------------------
@@ -96,7 +96,7 @@ Surface ReadPointSet(vtkPolyData* input)
 }
 
 //------------------------------------------------------------------------------
-UsableMesh ReadUsable(vtkPolyData* input)
+UsableMesh ReadUsable(vtkPolyData* input, const evolving::Execution& execution)
 {
   const Surface surface = HasFaces(input) ? ReadAnySurface(input) : ReadAnyPointSet(input);
   const evolving::DamagedParts damaged = evolving::findDamagedParts(surface.mesh);
@@ -119,7 +119,7 @@ UsableMesh ReadUsable(vtkPolyData* input)
   if (!usable.mesh.hasOnlyTriangles())
   {
     std::vector<evolving::Index> oldFace;
-    usable.mesh = evolving::triangulate(usable.mesh, oldFace);
+    usable.mesh = evolving::triangulate(usable.mesh, oldFace, execution);
   }
   return usable;
 }

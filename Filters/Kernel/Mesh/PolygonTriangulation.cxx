@@ -8,6 +8,24 @@
 namespace evolving
 {
 
+namespace
+{
+
+/// Between two looks at whether to stop: far less than a second.
+constexpr int TrianglesAtOnce = 1024;
+
+std::vector<Vec3> cornersOf(const SurfaceMesh& mesh, Index face)
+{
+  std::vector<Vec3> corners;
+  for (Index k = 0; k < mesh.faceSize(face); ++k)
+  {
+    corners.push_back(mesh.facePoint(face, k));
+  }
+  return corners;
+}
+
+} // namespace
+
 std::vector<std::array<Index, 3>> triangulatePolygon(
   const std::vector<Vec3>& corners, const Execution& execution)
 {
@@ -16,13 +34,12 @@ std::vector<std::array<Index, 3>> triangulatePolygon(
   {
     return triangles;
   }
-  constexpr std::size_t Step = 1024; // far less than a second
   triangles.reserve(corners.size() - 2);
   EarClipping polygon(corners);
   while (triangles.size() < corners.size() - 2)
   {
     triangles.push_back(polygon.clip());
-    if (triangles.size() % Step == 0)
+    if (triangles.size() % TrianglesAtOnce == 0)
     {
       execution.report(static_cast<double>(triangles.size()) / static_cast<double>(corners.size()));
     }
@@ -38,9 +55,16 @@ SurfaceMesh triangulate(
   triangles.cornerVertices.reserve(mesh.cornerVertices.size());
   triangles.faceOffsets.reserve(mesh.faceOffsets.size());
   oldFace.clear();
-  std::vector<Vec3> corners;
+  Index next = TrianglesAtOnce;
   for (Index face = 0; face < mesh.faceCount(); ++face)
   {
+    const double begin = static_cast<double>(face) / mesh.faceCount();
+    const double end = static_cast<double>(face + 1) / mesh.faceCount();
+    if (triangles.faceCount() >= next)
+    {
+      execution.report(begin);
+      next = triangles.faceCount() + TrianglesAtOnce;
+    }
     if (mesh.faceSize(face) == 3)
     {
       triangles.addFace(
@@ -48,14 +72,8 @@ SurfaceMesh triangulate(
       oldFace.push_back(face);
       continue;
     }
-    corners.clear();
-    for (Index k = 0; k < mesh.faceSize(face); ++k)
-    {
-      corners.push_back(mesh.facePoint(face, k));
-    }
-    const double begin = static_cast<double>(face) / mesh.faceCount();
-    const double end = static_cast<double>(face + 1) / mesh.faceCount();
-    for (const auto& triangle : triangulatePolygon(corners, execution.phase(begin, end)))
+    for (const auto& triangle :
+      triangulatePolygon(cornersOf(mesh, face), execution.phase(begin, end)))
     {
       triangles.addFace({ mesh.faceVertex(face, triangle[0]), mesh.faceVertex(face, triangle[1]),
         mesh.faceVertex(face, triangle[2]) });
