@@ -108,7 +108,8 @@ evolving::StateArrays Unweld(const WeldedSurface& surface, const evolving::State
 void CopyWithoutTuples(vtkPolyData* input, vtkPolyData* output);
 
 /// As ReadSurface(), polygons split into triangles (by ear clipping, so concave ones are right).
-Surface ReadTriangles(vtkPolyData* input);
+/// @throws evolving::Cancelled
+Surface ReadTriangles(vtkPolyData* input, const evolving::Execution& execution);
 
 /// Triangles or, of an input without faces, points.
 struct UsableMesh
@@ -122,8 +123,9 @@ struct UsableMesh
  * As ReadTriangles() or ReadPointSet(), without faces of fewer than three corners, and without
  * faces and points whose coordinates are not finite.
  * @throws evolving::InputError for corners out of range, or when nothing is left
+ * @throws evolving::Cancelled
  */
-UsableMesh ReadUsable(vtkPolyData* input);
+UsableMesh ReadUsable(vtkPolyData* input, const evolving::Execution& execution);
 
 /**
  * The points that vertex cells use, or all points when there is none; then \p cellOfFace is, for

@@ -191,7 +191,8 @@ int vtkDistanceHierarchy::RequestData(
   return KernelBridge::RunToOutputs(this, { output },
     [&](const evolving::Execution& execution)
     {
-      const evolving::SurfaceMesh mesh = KernelBridge::ReadTriangles(input).mesh;
+      const evolving::SurfaceMesh mesh =
+        KernelBridge::ReadTriangles(input, execution.phase(0.0, 0.0)).mesh;
       const evolving::AABBTree tree(mesh, execution.phase(0.0, 0.5));
       if (this->Structure == AABB_TREE)
       {

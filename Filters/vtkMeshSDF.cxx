@@ -35,11 +35,11 @@ evolving::Extent RequestedExtent(vtkInformation* request)
 
 //------------------------------------------------------------------------------
 /// The input as the kernel wants it: triangles, or a point set whose "cells" are its points.
-KernelBridge::Surface ReadInput(vtkPolyData* input)
+KernelBridge::Surface ReadInput(vtkPolyData* input, const evolving::Execution& execution)
 {
   if (KernelBridge::HasFaces(input))
   {
-    return KernelBridge::ReadTriangles(input);
+    return KernelBridge::ReadTriangles(input, execution);
   }
   return KernelBridge::ReadPointSet(input);
 }
@@ -174,7 +174,7 @@ int vtkMeshSDF::RequestData(
   return KernelBridge::RunToOutputs(this, { output },
     [&](const evolving::Execution& execution)
     {
-      KernelBridge::Surface surface = ReadInput(input);
+      KernelBridge::Surface surface = ReadInput(input, execution.phase(0.0, 0.0));
       this->WholeInput->NameCells(surface.cellOfFace);
       const evolving::DistanceGrid grid = this->GridFor(surface.mesh);
       evolving::requireDistancesForFloats(evolving::boundingBox(surface.mesh), grid);

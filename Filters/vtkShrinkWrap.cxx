@@ -188,7 +188,8 @@ void vtkShrinkWrap::Solve(vtkPolyData* input, const evolving::Execution& executi
   KernelBridge::RequireMemory(evolving::GridIndex(n[0]) * n[1] * n[2],
     evolving::wrapBytesPerSample(), "lower SampleDimensions");
   const evolving::ShrinkWrapOptions options = this->Options();
-  const KernelBridge::UsableMesh target = KernelBridge::ReadUsable(input);
+  const KernelBridge::UsableMesh target =
+    KernelBridge::ReadUsable(input, execution.phase(0.0, 0.0));
   const evolving::ShrinkWrapProblem problem =
     evolving::prepareShrinkWrap(target.mesh, options, execution.phase(0.0, 0.3));
   const auto makeFlow = [problem](const evolving::Execution& host)

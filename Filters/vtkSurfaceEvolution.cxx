@@ -203,9 +203,9 @@ int vtkSurfaceEvolution::RequestData(
 std::unique_ptr<EvolutionOutput> vtkSurfaceEvolution::Solve(vtkPolyData* input, vtkImageData* field,
   const std::vector<int>& published, const evolving::Execution& execution)
 {
-  const auto start = std::make_shared<const evolving::SurfaceMesh>(
-    StartSurface(this->Remeshing == OFF ? KernelBridge::ReadSurface(input)
-                                        : KernelBridge::ReadTriangles(input)));
+  const auto start = std::make_shared<const evolving::SurfaceMesh>(StartSurface(
+    this->Remeshing == OFF ? KernelBridge::ReadSurface(input)
+                           : KernelBridge::ReadTriangles(input, execution.phase(0.0, 0.0))));
   std::shared_ptr<const evolving::ScalarImage> image;
   if (field)
   {

@@ -6,14 +6,22 @@
 #include "DataChecks.h"
 #include "EventLog.h"
 #include "LongRuns.h"
+#include "SampleSurfaces.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkDistanceHierarchy.h"
+#include "vtkMath.h"
+#include "vtkMeshSDF.h"
 #include "vtkPolyData.h"
+#include "vtkShrinkWrap.h"
+#include "vtkSmartPointer.h"
 #include "vtkSurfaceEvolution.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace
 {
@@ -129,6 +137,51 @@ TEST(Abort, AfterASolveKeepsIt)
   filter->UpdateTimeStep(0.2);
   EXPECT_EQ(FieldValue(filter->GetOutput(), "Iteration"), 20.0);
   EXPECT_EQ(filter->GetNumberOfSolves(), 1);
+}
+
+//------------------------------------------------------------------------------
+/// A disc of one polygon, which is cut into triangles while it is read.
+Sample::Surface HugePolygon()
+{
+  constexpr vtkIdType Corners = 20000;
+  std::vector<Sample::Point> points;
+  Sample::Polygon outline;
+  for (vtkIdType k = 0; k < Corners; ++k)
+  {
+    const double angle = vtkMath::RadiansFromDegrees(360.0 * k / Corners);
+    points.push_back({ std::cos(angle), std::sin(angle), 0.0 });
+    outline.push_back(k);
+  }
+  return Sample::Make(points, { outline });
+}
+
+//------------------------------------------------------------------------------
+TEST(Abort, ReachesTheReadingOfAHugePolygon)
+{
+  const auto evolution = vtkSmartPointer<vtkSurfaceEvolution>::New();
+  evolution->SetRemeshingToUniform();
+  const std::vector<vtkSmartPointer<vtkAlgorithm>> filters = { evolution,
+    vtkSmartPointer<vtkMeshSDF>::New(), vtkSmartPointer<vtkDistanceHierarchy>::New(),
+    vtkSmartPointer<vtkShrinkWrap>::New() };
+  const Sample::Surface surface = HugePolygon();
+  for (const auto& filter : filters)
+  {
+    SCOPED_TRACE(filter->GetClassName());
+    EventLog log(filter);
+    // Fewer looks than the polygon gets, and none of them at work that is told of.
+    log.OnProgress = [&](double)
+    {
+      if (log.Progress.size() == 15)
+      {
+        filter->SetAbortExecute(1);
+      }
+    };
+    filter->SetInputDataObject(surface);
+    filter->Update();
+    EXPECT_EQ(log.Progress, std::vector<double>(15, 0.0));
+    EXPECT_TRUE(log.Errors.empty());
+    EXPECT_TRUE(IsInitialized(filter->GetOutputDataObject(0)));
+  }
 }
 
 } // namespace

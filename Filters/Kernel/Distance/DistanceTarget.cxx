@@ -134,7 +134,8 @@ DistanceTarget makeDistanceTarget(const SurfaceMesh& mesh, const Execution& exec
   }
   if (!target.isPointSet)
   {
-    target.orientation = orientOutwards(target.mesh);
+    target.edges = TriangleEdges(target.mesh);
+    target.orientation = orientOutwards(target.mesh, target.edges);
   }
   return target;
 }

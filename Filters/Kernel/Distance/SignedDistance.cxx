@@ -8,6 +8,7 @@
 #include "Distance/DistanceGradient.h"
 #include "Distance/DistanceTarget.h"
 #include "Distance/GaussianSmoothing.h"
+#include "Distance/GridParts.h"
 #include "Distance/SignedDistanceChecks.h"
 #include "Distance/Signs/InsideOutside.h"
 #include "Distance/Signs/PseudonormalSign.h"
@@ -25,41 +26,6 @@ namespace evolving
 
 namespace
 {
-
-/// The part widened by a margin, inside the whole.
-Extent grown(const Extent& part, int margin, const Extent& whole)
-{
-  Extent extent = part;
-  for (std::size_t e = 0; e < 6; e += 2)
-  {
-    extent[e] = std::max(part[e] - margin, whole[e]);
-    extent[e + 1] = std::min(part[e + 1] + margin, whole[e + 1]);
-  }
-  return extent;
-}
-
-/// The values of a part of the grid.
-template <typename Value>
-std::vector<Value> cut(
-  std::vector<Value> values, GridIndex components, const DistanceGrid& grid, const Extent& part)
-{
-  if (part == grid.extent)
-  {
-    return values;
-  }
-  const GridIndex width = components * (part[1] - part[0] + 1);
-  std::vector<Value> result;
-  result.reserve(static_cast<std::size_t>(components * grid.part(part).sampleCount()));
-  for (int k = part[4]; k <= part[5]; ++k)
-  {
-    for (int j = part[2]; j <= part[3]; ++j)
-    {
-      const auto first = values.begin() + components * grid.index(part[0], j, k);
-      result.insert(result.end(), first, first + width);
-    }
-  }
-  return result;
-}
 
 /// The steps from a mesh to the result, with what they hand on.
 class Computation
@@ -216,7 +182,7 @@ private:
       auto gradient = this->Options.smoothingSigma > 0.0
         ? normalizedDifferences(grid, field.distance, last)
         : awayFromClosest(
-            mesh, grid, field.triangle, inside, this->Sign != SignMethod::Unsigned, last);
+            this->Target, grid, field.triangle, inside, this->Sign != SignMethod::Unsigned, last);
       result.gradient = cut(std::move(gradient), 3, grid, part);
     }
   }
@@ -271,25 +237,6 @@ SignedDistanceResult signedDistance(const SurfaceMesh& mesh, const DistanceGrid&
             << " bytes); choose smaller dimensions.";
     throw InputError(message.str());
   }
-}
-
-int peakBytesPerSample(const SignedDistanceOptions& options)
-{
-  constexpr int Side = 1;
-  constexpr int Number = 4;               // a float or a triangle
-  int bytes = 2 * Number + Side + Number; // distance, triangle, side, the copy
-  bytes += options.method == DistanceMethod::FastSweeping ? 3 * Number + Side : 0;
-  bytes += options.sign == SignMethod::FloodFill ? 2 * Number : 0; // the samples still to visit
-  bytes += options.smoothingSigma > 0.0 ? Number : 0;
-  bytes += options.closestFace ? 4 * Number : 0; // copied as a number of 64 bits
-  bytes += options.closestPoint ? 6 * Number : 0;
-  bytes += options.gradient ? 6 * Number : 0;
-  return bytes;
-}
-
-bool canComputeParts(const SignedDistanceOptions& options)
-{
-  return options.method != DistanceMethod::FastSweeping && options.sign != SignMethod::FloodFill;
 }
 
 } // namespace evolving

@@ -42,13 +42,6 @@ struct SignedDistanceResult
 SignedDistanceResult signedDistance(const SurfaceMesh& mesh, const DistanceGrid& grid,
   const Extent& part, const SignedDistanceOptions& options, const Execution& execution = {});
 
-/// The most bytes that a sample of the computed part takes, beyond the mesh: all its values while
-/// it is computed, and the copy of those that are handed out.
-int peakBytesPerSample(const SignedDistanceOptions& options);
-
-/// Can `part` be computed without the rest of the grid? Not with sweeps or flood fill.
-bool canComputeParts(const SignedDistanceOptions& options);
-
 } // namespace evolving
 
 #endif

@@ -3,7 +3,7 @@
 
 /**
  * @file
- * The parameters of a signed distance grid.
+ * The parameters of a signed distance grid, and what they ask for.
  */
 
 #ifndef EVOLVING_SIGNED_DISTANCE_OPTIONS_H
@@ -39,6 +39,13 @@ struct SignedDistanceOptions
   bool closestFace = false;    ///< fill SignedDistanceResult::closestFace
   bool gradient = false;       ///< fill SignedDistanceResult::gradient
 };
+
+/// The most bytes that a sample of the computed part takes, beyond the mesh: all its values while
+/// it is computed, and the copy of those that are handed out.
+int peakBytesPerSample(const SignedDistanceOptions& options);
+
+/// Can a part of the grid be computed without the rest? Not with sweeps or flood fill.
+bool canComputeParts(const SignedDistanceOptions& options);
 
 } // namespace evolving
 

@@ -5,6 +5,7 @@
 
 #include "Errors.h"
 #include "Evolution/StateMeasures.h"
+#include "Evolution/StepRetry.h"
 #include "Mesh/MeshQuality.h"
 
 #include <algorithm>
@@ -15,14 +16,6 @@
 
 namespace evolving
 {
-
-namespace
-{
-
-/// A step that fails is tried again in 2, 4, 8 and 16 times as many parts.
-constexpr int MostHalvings = 4;
-
-} // namespace
 
 SurfaceFlow::SurfaceFlow(SurfaceMesh start, std::shared_ptr<const ScalarImage> field,
   const FlowOptions& options, const Execution& execution)
@@ -120,21 +113,14 @@ void SurfaceFlow::step()
 
 void SurfaceFlow::stepOrStop()
 {
-  std::optional<StepFailure> failure;
-  for (int halvings = 0; halvings <= MostHalvings; ++halvings)
+  // Progress never goes back: that of the first try stands.
+  const Execution all = this->stepExecution();
+  const std::optional<StepFailure> failure = tryInMoreParts(this->Setup.parts.count,
+    [&](int parts, bool isFirst)
+    { return this->tryStep(parts, isFirst ? all : all.phase(1.0, 1.0)); });
+  if (!failure)
   {
-    // Progress never goes back: that of the first try stands.
-    const Execution all = this->stepExecution();
-    failure =
-      this->tryStep(this->Setup.parts.count << halvings, halvings == 0 ? all : all.phase(1.0, 1.0));
-    if (!failure)
-    {
-      return;
-    }
-    if (!failure->mayPassInParts)
-    {
-      break;
-    }
+    return;
   }
   if (failure->isOfInput && this->Record.iteration == 0)
   {

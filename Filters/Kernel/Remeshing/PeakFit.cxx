@@ -5,14 +5,13 @@
 
 #include "ParallelLoops.h"
 #include "Remeshing/Barycentric.h"
-#include "Remeshing/FaceShape.h"
+#include "Remeshing/FaceGroup.h"
 #include "Remeshing/OrderedTasks.h"
 #include "Remeshing/SurfaceFit.h"
 #include "Trees/TriangleGeometry.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <utility>
 
@@ -31,13 +30,6 @@ constexpr int MostTries = 2;
 /// Peaks that are worth a thread.
 constexpr std::int64_t PeakGrain = 4;
 constexpr double Unbounded = std::numeric_limits<double>::infinity();
-/// No face may turn by more than 45 degrees.
-constexpr double LeastCosine = 0.7;
-
-Triangle triangleOf(const EditableSurface& surface, Index f)
-{
-  return { { surface.corner(f, 0), surface.corner(f, 1), surface.corner(f, 2) } };
-}
 
 /// A point of a face is to make a move: the part of it that each corner makes for that. Pinned
 /// corners and those on features stay; zero where the point is too far from the others.
@@ -52,58 +44,6 @@ Vec3 sharesOf(const EditableSurface& surface, Index f, const Vec3& point)
   }
   constexpr double LeastSay = 0.1;
   return share.squaredNorm() < LeastSay ? Vec3(Vec3::Zero()) : Vec3(share / share.squaredNorm());
-}
-
-std::vector<Vec3> areasOf(const EditableSurface& surface, const std::vector<Index>& faces)
-{
-  std::vector<Vec3> areas;
-  for (const Index f : faces)
-  {
-    areas.push_back(surface.doubleArea(f));
-  }
-  return areas;
-}
-
-bool areUpright(
-  const EditableSurface& surface, const std::vector<Index>& faces, const std::vector<Vec3>& before)
-{
-  for (std::size_t i = 0; i < faces.size(); ++i)
-  {
-    const Vec3 area = surface.doubleArea(faces[i]);
-    if (area.dot(before[i]) < LeastCosine * area.norm() * before[i].norm())
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-/// Different when a corner is elsewhere, all but certainly.
-std::size_t fingerprintOf(const EditableSurface& surface, const std::vector<Index>& faces)
-{
-  std::size_t print = 0;
-  for (const Index f : faces)
-  {
-    for (Index k = 0; k < 3; ++k)
-    {
-      for (const double coordinate : surface.corner(f, k))
-      {
-        print = 31 * print + std::hash<double>()(coordinate);
-      }
-    }
-  }
-  return print;
-}
-
-/// In degrees.
-double smallestAngleOf(const EditableSurface& surface, const std::vector<Index>& faces)
-{
-  double smallest = 60.0;
-  for (const Index f : faces)
-  {
-    smallest = std::min(smallest, smallestAngle(surface, f));
-  }
-  return smallest;
 }
 
 } // namespace

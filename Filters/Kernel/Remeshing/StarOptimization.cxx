@@ -4,14 +4,12 @@
 #include "Remeshing/StarOptimization.h"
 
 #include "Mesh/Angles.h"
-#include "Mesh/Orthogonal.h"
 #include "ParallelLoops.h"
 #include "Remeshing/FaceShape.h"
 #include "Remeshing/OrderedTasks.h"
-#include "Remeshing/Relaxation.h"
+#include "Remeshing/StarSearch.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -22,163 +20,8 @@ namespace evolving
 namespace
 {
 
-constexpr double Diagonal = 0.70710678118654752440;
-/// In the tangent plane, counter-clockwise.
-const std::array<Eigen::Vector2d, 8> Directions = { { { 1.0, 0.0 }, { Diagonal, Diagonal },
-  { 0.0, 1.0 }, { -Diagonal, Diagonal }, { -1.0, 0.0 }, { -Diagonal, -Diagonal }, { 0.0, -1.0 },
-  { Diagonal, -Diagonal } } };
-/// The search begins with moves of this fraction of the size and halves them so often.
-constexpr double FirstMove = 0.15;
-constexpr int Halvings = 6;
-/// No face may turn by more than 45 degrees in a move.
-constexpr double LeastCosine = 0.7;
 /// Stars that are worth a thread.
 constexpr std::int64_t StarGrain = 16;
-/// The cosine must fall by this much, or rounding would go on for ever.
-constexpr double LeastGain = 1e-7;
-
-class StarSearch
-{
-public:
-  StarSearch(EditableSurface& surface, const ReferenceSurface& reference)
-    : Surface(surface)
-    , Reference(reference)
-  {
-  }
-
-  /// @return whether the vertex has moved
-  bool improve(Index v)
-  {
-    this->Curve = curveOfVertex(this->Surface, v);
-    const bool isInner = this->Surface.featureEdges(v) == 0;
-    if (this->Surface.isPinned(v) || (!isInner && this->Curve == NoIndex))
-    {
-      return false;
-    }
-    this->begin(v);
-    bool hasMoved = false;
-    double move = FirstMove * this->Surface.size(v);
-    for (int halving = 0; halving < Halvings; move *= 0.5, ++halving)
-    {
-      hasMoved = this->searchAt(v, move) || hasMoved;
-    }
-    return hasMoved;
-  }
-
-  double worstCosine(Index v) const
-  {
-    double worst = 0.0;
-    this->Surface.forEachOutgoing(v,
-      [&](Index e)
-      {
-        worst = std::max(worst,
-          cosineOfSmallestAngle(this->Surface.point(v), this->Surface.point(this->Surface.to(e)),
-            this->Surface.point(this->Surface.apex(e))));
-      });
-    return worst;
-  }
-
-private:
-  void begin(Index v)
-  {
-    const Vec3 normal = this->Surface.normal(v);
-    this->U = orthogonalTo(normal).normalized();
-    this->V = normal.cross(this->U);
-    this->Normal = normal;
-    this->Label = 0;
-    this->OldAreas.clear();
-    this->Surface.forEachOutgoing(v,
-      [&](Index e)
-      {
-        this->Label = this->Surface.label(EditableSurface::faceOf(e));
-        this->OldAreas.push_back(this->Surface.doubleArea(EditableSurface::faceOf(e)));
-      });
-    this->Worst = this->worstCosine(v);
-    const ReferenceSurface::Foot foot = this->foot(this->Surface.point(v), this->Surface.guess(v));
-    this->Height =
-      this->Curve == NoIndex ? (this->Surface.point(v) - foot.point).dot(foot.normal) : 0.0;
-  }
-
-  ReferenceSurface::Foot foot(const Vec3& point, Index guess) const
-  {
-    return this->Reference.onSurface(point, this->Normal, this->Label, guess);
-  }
-
-  /// Tries all directions at one distance, as long as one helps.
-  bool searchAt(Index v, double move)
-  {
-    bool hasMoved = false;
-    for (bool goesOn = true; goesOn;)
-    {
-      goesOn = false;
-      for (const Eigen::Vector2d& direction : Directions)
-      {
-        if (this->tryMove(v, move * (direction.x() * this->U + direction.y() * this->V)))
-        {
-          goesOn = true;
-          hasMoved = true;
-        }
-      }
-    }
-    return hasMoved;
-  }
-
-  bool tryMove(Index v, const Vec3& move)
-  {
-    const Vec3 before = this->Surface.point(v);
-    const Index guess = this->Surface.guess(v);
-    // Most tries fail already in the tangent plane: the search for the foot is what costs.
-    this->Surface.setPoint(v, before + move);
-    if (this->worstCosine(v) < this->Worst)
-    {
-      this->place(v, before + move);
-      const double worst = this->worstCosine(v);
-      if (worst < this->Worst - LeastGain && this->isUpright(v))
-      {
-        this->Worst = worst;
-        return true;
-      }
-    }
-    this->Surface.setPoint(v, before);
-    this->Surface.setGuess(v, guess);
-    return false;
-  }
-
-  void place(Index v, const Vec3& point)
-  {
-    if (this->Curve != NoIndex)
-    {
-      this->Surface.setPoint(v, this->Reference.onCurve(point, this->Curve));
-      return;
-    }
-    const ReferenceSurface::Foot foot = this->foot(point, this->Surface.guess(v));
-    this->Surface.setPoint(v, foot.point + this->Height * foot.normal);
-    this->Surface.setGuess(v, foot.triangle);
-  }
-
-  bool isUpright(Index v) const
-  {
-    std::size_t i = 0;
-    bool isUpright = true;
-    this->Surface.forEachOutgoing(v,
-      [&](Index e)
-      {
-        const Vec3 area = this->Surface.doubleArea(EditableSurface::faceOf(e));
-        const Vec3& old = this->OldAreas[i++];
-        isUpright = isUpright && area.dot(old) >= LeastCosine * area.norm() * old.norm();
-      });
-    return isUpright;
-  }
-
-  EditableSurface& Surface;
-  const ReferenceSurface& Reference;
-  Vec3 Normal, U, V;
-  Index Label = 0;
-  Index Curve = NoIndex;
-  double Worst = 0.0;
-  double Height = 0.0;
-  std::vector<Vec3> OldAreas;
-};
 
 /// The vertices of triangles with an angle of a cosine above `limit`, the worst first.
 std::vector<std::pair<double, Index>> verticesOfBadFaces(

@@ -4,7 +4,6 @@
 #include "ShrinkWrap/PointSurface.h"
 
 #include "Distance/SignedDistance.h"
-#include "Errors.h"
 #include "Remeshing/CurvedReference.h"
 #include "Remeshing/EdgeCollapsing.h"
 #include "Remeshing/EdgeFlipping.h"
@@ -13,19 +12,15 @@
 #include "Remeshing/PointFit.h"
 #include "Remeshing/Remeshing.h"
 #include "Remeshing/SizingField.h"
+#include "ShrinkWrap/PointSpread.h"
 #include "ShrinkWrap/TightGrid.h"
 #include "StartSurface/GapClosing.h"
 #include "StartSurface/InsideSamples.h"
 #include "StartSurface/Isosurface.h"
 #include "StartSurface/SurfaceComponents.h"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
-#include <set>
-#include <sstream>
-#include <tuple>
 #include <vector>
 
 namespace evolving
@@ -33,52 +28,6 @@ namespace evolving
 
 namespace
 {
-
-SurfaceMesh differentPoints(const SurfaceMesh& points)
-{
-  std::set<std::tuple<double, double, double>> seen;
-  SurfaceMesh different;
-  for (const Vec3& p : points.points)
-  {
-    if (seen.emplace(p.x(), p.y(), p.z()).second)
-    {
-      different.addPoint(p);
-    }
-  }
-  return different;
-}
-
-/// Along the axis of the second largest spread, as a part of the largest one.
-double spreadBesideLine(const SurfaceMesh& points)
-{
-  const Box box = boundingBox(points);
-  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-  Vec3 mean = Vec3::Zero();
-  for (const Vec3& point : points.points)
-  {
-    const Vec3 p = (point - box.center()) / box.diagonal().norm(); // no under- or overflow
-    mean += p / points.vertexCount();
-    moments += p * p.transpose() / points.vertexCount();
-  }
-  moments -= mean * mean.transpose();
-  const Vec3 spread = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments).eigenvalues();
-  return std::sqrt(std::max(0.0, spread[1]) / spread[2]);
-}
-
-void requireExtent(const SurfaceMesh& points)
-{
-  constexpr Index Fewest = 4; // a tetrahedron
-  constexpr double StraightLine =
-    1e-6; // points stored as floats are as far from a line by rounding
-  if (points.vertexCount() < Fewest || spreadBesideLine(points) < StraightLine)
-  {
-    std::ostringstream message;
-    message << "The input has no faces and " << points.vertexCount()
-            << " different points, too few or all on a line; expected at least " << Fewest
-            << " points on a surface, or faces.";
-    throw InputError(message.str());
-  }
-}
 
 std::vector<float> distanceTo(
   const SurfaceMesh& points, const DistanceGrid& grid, const Execution& execution)

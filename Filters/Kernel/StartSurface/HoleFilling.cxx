@@ -187,7 +187,7 @@ Cap leastAreaCapApart(const Surroundings& surroundings, const BoundaryLoop& hole
 }
 
 Cap capOf(const SurfaceMesh& mesh, const BoundaryLoop& hole, const std::vector<Index>& faces,
-  const EdgeSet& taken)
+  const EdgeSet& taken, const Execution& execution)
 {
   std::vector<Vec3> corners;
   for (const Index vertex : hole.vertices)
@@ -195,7 +195,7 @@ Cap capOf(const SurfaceMesh& mesh, const BoundaryLoop& hole, const std::vector<I
     corners.push_back(mesh.points[at(vertex)] - mesh.points[at(hole.vertices[0])]);
   }
   return corners.size() > LongestForLeastArea
-    ? triangulatePolygon(corners)
+    ? triangulatePolygon(corners, execution)
     : leastAreaCapApart(Surroundings(mesh, hole, faces), hole, corners, taken);
 }
 
@@ -211,8 +211,10 @@ SurfaceMesh fillHoles(
   for (std::size_t i = 0; i < holes.size(); ++i)
   {
     const BoundaryLoop& hole = holes[i];
-    execution.report(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(holes.size()));
-    const Cap cap = capOf(mesh, hole, faces[i], taken);
+    const double share = 0.5 / static_cast<double>(holes.size());
+    const double begin = 0.5 + share * static_cast<double>(i);
+    execution.report(begin);
+    const Cap cap = capOf(mesh, hole, faces[i], taken, execution.phase(begin, begin + share));
     appendCap(filled, hole.vertices, cap);
     for (const std::array<Index, 3>& t : cap)
     {

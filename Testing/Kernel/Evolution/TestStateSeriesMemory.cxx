@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a series of states really holds, as the allocator counts it.
+// What a series of states really holds.
 
 #include "Evolution/StateSeries.h"
 
-#include "AllocatedBytes.h"
 #include "Evolution/EvolutionShapes.h"
 #include "Evolution/Remeshers.h"
+#include "MemoryCount.h"
 
 #include <gtest/gtest.h>
 
@@ -21,6 +21,7 @@ namespace
 {
 
 constexpr int Steps = 150;
+constexpr double MiB = 1024.0 * 1024.0;
 
 /// Memory in MiB: held when the series is there, and at most while it was made.
 struct Memory
@@ -40,15 +41,15 @@ Memory memoryOfASeries(
   options.redistribution.volume = 1.0;
   const auto start = std::make_shared<const SurfaceMesh>(shapes::bumpySphere(4));
   const auto field = shapes::sphereField(24, 2.0, 0.5);
-  const double before = bytesInUse();
-  double peak = before;
+  const MemoryCount count;
+  std::size_t peak = 0;
   const Execution watched(
-    nullptr, [&peak](double) { peak = std::max(peak, bytesInUse()); }, nullptr);
+    nullptr, [&](double) { peak = std::max(peak, count.held()); }, nullptr);
   const StateSeries series([=](const Execution& host)
     { return SurfaceFlow(start, field, remesher, options, host); },
     publishedIterations(Steps, 0, interval), static_cast<std::size_t>(limit * MiB), watched);
   EXPECT_EQ(series.lastIteration(), Steps);
-  return { (bytesInUse() - before) / MiB, (peak - before) / MiB };
+  return { static_cast<double>(count.held()) / MiB, static_cast<double>(peak) / MiB };
 }
 
 /// Points, gradients, normals, velocities, and six numbers a vertex.
@@ -58,9 +59,9 @@ constexpr double OneState = 2562 * (4 * 3 + 6) * sizeof(double) / MiB;
 
 TEST(StateSeriesMemory, ASeriesHoldsItsStatesAndLittleElse)
 {
-  if (!allocatorCounts())
+  if (!MemoryCount::isSupported())
   {
-    GTEST_SKIP() << "this allocator does not count";
+    GTEST_SKIP() << "nothing counts memory here";
   }
   const Memory all = memoryOfASeries(1000.0, 1);
   EXPECT_GT(all.held, (Steps + 1) * OneState);
@@ -69,9 +70,9 @@ TEST(StateSeriesMemory, ASeriesHoldsItsStatesAndLittleElse)
 
 TEST(StateSeriesMemory, TheLimitHoldsDuringTheSolveToo)
 {
-  if (!allocatorCounts())
+  if (!MemoryCount::isSupported())
   {
-    GTEST_SKIP() << "this allocator does not count";
+    GTEST_SKIP() << "nothing counts memory here";
   }
   // The flow's own memory, with the first and the last state alone.
   const Memory ends = memoryOfASeries(1000.0, Steps);
@@ -88,9 +89,9 @@ TEST(StateSeriesMemory, TheLimitHoldsDuringTheSolveToo)
 
 TEST(StateSeriesMemory, TheLimitHoldsWithNewElementsInEveryStep)
 {
-  if (!allocatorCounts())
+  if (!MemoryCount::isSupported())
   {
-    GTEST_SKIP() << "this allocator does not count";
+    GTEST_SKIP() << "nothing counts memory here";
   }
   for (const double limit : { 4.0, 16.0 })
   {
@@ -102,9 +103,9 @@ TEST(StateSeriesMemory, TheLimitHoldsWithNewElementsInEveryStep)
 
 TEST(StateSeriesMemory, TheEndsAreKeptWhateverTheLimit)
 {
-  if (!allocatorCounts())
+  if (!MemoryCount::isSupported())
   {
-    GTEST_SKIP() << "this allocator does not count";
+    GTEST_SKIP() << "nothing counts memory here";
   }
   const Memory least = memoryOfASeries(0.0, 1);
   EXPECT_GT(least.held, 2 * OneState);

@@ -225,6 +225,27 @@ TEST(PolygonTriangulation, StopsWhenAsked)
   EXPECT_EQ(questions, 3);
 }
 
+TEST(PolygonTriangulation, OfManySmallFacesCanBeStopped)
+{
+  SurfaceMesh strip;
+  constexpr Index Quads = 10000;
+  for (Index k = 0; k <= Quads; ++k)
+  {
+    strip.addPoint(Vec3(k, 0.0, 0.0));
+    strip.addPoint(Vec3(k, 1.0, 0.0));
+  }
+  for (Index k = 0; k < Quads; ++k)
+  {
+    strip.addFace({ 2 * k, 2 * k + 2, 2 * k + 3, 2 * k + 1 });
+  }
+  double told = 0.0;
+  const Execution stopping(
+    nullptr, [&](double fraction) { told = fraction; }, [&] { return told > 0.5; });
+  std::vector<Index> oldFace;
+  EXPECT_THROW(triangulate(strip, oldFace, stopping), Cancelled);
+  EXPECT_LT(told, 0.6);
+}
+
 TEST(PolygonTriangulation, OfTooFewCornersOrOnesBeyondSquaresIsFinite)
 {
   EXPECT_TRUE(triangulatePolygon({}).empty());

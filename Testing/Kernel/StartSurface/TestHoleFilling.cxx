@@ -3,6 +3,7 @@
 
 #include "StartSurface/HoleFilling.h"
 
+#include "Errors.h"
 #include "Mesh/HoleyShapes.h"
 #include "Mesh/MeshVariants.h"
 #include "Mesh/SelfIntersections.h"
@@ -108,4 +109,26 @@ TEST(HoleFilling, CrossesNothingAtRaggedRims)
     EXPECT_TRUE(summarizeTopology(filled).isClosed());
     EXPECT_TRUE(selfIntersections(filled).empty()) << trial;
   }
+}
+
+TEST(HoleFilling, OfALongLoopCanBeStopped)
+{
+  constexpr Index Corners = 5000;
+  SurfaceMesh cone;
+  const Index tip = cone.addPoint(Vec3::UnitZ());
+  for (Index k = 0; k < Corners; ++k)
+  {
+    const double angle = 2.0 * 3.141592653589793 * k / Corners;
+    cone.addPoint(Vec3(std::cos(angle), std::sin(angle), 0.0));
+  }
+  for (Index k = 0; k < Corners; ++k)
+  {
+    cone.addFace({ tip, tip + 1 + k, tip + 1 + (k + 1) % Corners });
+  }
+  // The only cap begins at half of the way.
+  double told = 0.0;
+  const Execution stopping(
+    nullptr, [&](double fraction) { told = fraction; }, [&] { return told > 0.5; });
+  EXPECT_THROW(fillHoles(cone, boundaryLoops(cone), stopping), Cancelled);
+  EXPECT_LT(told, 0.75);
 }

@@ -115,38 +115,6 @@ private:
     return squaredDistances(framed, WayFromAnchor(framed, point), here)[0];
   }
 
-  /// A box of a fan and how far it is.
-  struct NearestBox
-  {
-    Lanes distance;
-    IntLanes fan;
-
-    // Written out: GCC does not compile an implicit one for the instruction set asked for.
-    NearestBox()
-      : distance(all(std::numeric_limits<float>::infinity()))
-      , fan(all(0))
-    {
-    }
-
-    void tryFan(Index number, unsigned boxes, Lanes distances)
-    {
-      const IntLanes bits = { 1, 2, 4, 8, 16, 32, 64, 128 };
-      const IntLanes isNearer =
-        (distances < this->distance) & ((all(static_cast<int>(boxes)) & bits) != 0);
-      this->distance = isNearer ? distances : this->distance;
-      this->fan = isNearer ? all(number) : this->fan;
-    }
-    int lane() const
-    {
-      int best = 0;
-      for (int k = 1; k < LaneCount; ++k)
-      {
-        best = this->distance[k] < this->distance[best] ? k : best;
-      }
-      return best;
-    }
-  };
-
   /// The bounds of all that the block around handed down. @return the box closest to the centre
   NearestBox boundCandidates(const Middle& middle, std::size_t level)
   {

@@ -28,6 +28,8 @@ namespace anywhere
 
 #include "Distance/ClosestPoint/BrickSearch.hxx"
 
+#include "Distance/ClosestPoint/NearestBox.hxx"
+
 #include "Distance/ClosestPoint/BlockSearch.hxx"
 }
 
@@ -44,6 +46,8 @@ namespace avx2
 #include "Distance/ClosestPoint/DistanceLanes.hxx"
 
 #include "Distance/ClosestPoint/BrickSearch.hxx"
+
+#include "Distance/ClosestPoint/NearestBox.hxx"
 
 #include "Distance/ClosestPoint/BlockSearch.hxx"
 }

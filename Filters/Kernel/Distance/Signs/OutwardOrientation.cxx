@@ -5,7 +5,6 @@
 
 #include "Distance/Signs/ComponentNesting.h"
 #include "Mesh/Angles.h"
-#include "Mesh/TriangleEdges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -177,9 +176,8 @@ void countEdges(const SurfaceMesh& mesh, const TriangleEdges& edges, Orientation
 
 } // namespace
 
-OrientationSummary orientOutwards(SurfaceMesh& mesh)
+OrientationSummary orientOutwards(SurfaceMesh& mesh, TriangleEdges& edges)
 {
-  TriangleEdges edges(mesh);
   const ConsistentTurns consistent(mesh, edges);
   turnMarked(mesh, edges, consistent.Turned);
   const std::vector<SurfaceComponent> components =
@@ -197,6 +195,12 @@ OrientationSummary orientOutwards(SurfaceMesh& mesh)
   summary.componentsOverlap = boxesIntersect(components);
   countEdges(mesh, edges, summary);
   return summary;
+}
+
+OrientationSummary orientOutwards(SurfaceMesh& mesh)
+{
+  TriangleEdges edges(mesh);
+  return orientOutwards(mesh, edges);
 }
 
 } // namespace evolving
