@@ -5,8 +5,9 @@
 
 #include "Evolution/StateSeries.h"
 
-#include "Evolution/EvolutionShapes.h"
+#include "Evolution/EvolutionFields.h"
 #include "Evolution/Remeshers.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -79,7 +80,7 @@ constexpr double OneState = 2562 * (4 * 3 + 6) * sizeof(double) / MiB;
 
 } // namespace
 
-TEST(FlowSeriesMemory, ASeriesHoldsItsStatesAndLittleElse)
+TEST(StateSeriesMemory, ASeriesHoldsItsStatesAndLittleElse)
 {
   if (!allocatorCounts())
   {
@@ -90,7 +91,7 @@ TEST(FlowSeriesMemory, ASeriesHoldsItsStatesAndLittleElse)
   EXPECT_LT(all.held, 1.02 * (Steps + 1) * OneState);
 }
 
-TEST(FlowSeriesMemory, TheLimitHoldsDuringTheSolveToo)
+TEST(StateSeriesMemory, TheLimitHoldsDuringTheSolveToo)
 {
   if (!allocatorCounts())
   {
@@ -109,7 +110,7 @@ TEST(FlowSeriesMemory, TheLimitHoldsDuringTheSolveToo)
   }
 }
 
-TEST(FlowSeriesMemory, TheLimitHoldsWithNewElementsInEveryStep)
+TEST(StateSeriesMemory, TheLimitHoldsWithNewElementsInEveryStep)
 {
   if (!allocatorCounts())
   {
@@ -123,7 +124,7 @@ TEST(FlowSeriesMemory, TheLimitHoldsWithNewElementsInEveryStep)
   }
 }
 
-TEST(FlowSeriesMemory, TheEndsAreKeptWhateverTheLimit)
+TEST(StateSeriesMemory, TheEndsAreKeptWhateverTheLimit)
 {
   if (!allocatorCounts())
   {

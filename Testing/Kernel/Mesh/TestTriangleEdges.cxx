@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Mesh/TriangleEdges.h"
-
-#include "Distance/DistanceShapes.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 TEST(TriangleEdges, OfAClosedMeshHaveTwoFacesInOppositeDirections)
 {

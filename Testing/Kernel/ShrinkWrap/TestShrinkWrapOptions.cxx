@@ -3,6 +3,7 @@
 
 #include "ShrinkWrap/ShrinkWrapOptions.h"
 
+#include "Checks/Refusal.h"
 #include "Errors.h"
 
 #include <gtest/gtest.h>
@@ -25,15 +26,7 @@ std::string complaint(const std::function<void(ShrinkWrapOptions&)>& change)
 {
   ShrinkWrapOptions options;
   change(options);
-  try
-  {
-    checkOptions(options);
-  }
-  catch (const InputError& error)
-  {
-    return error.what();
-  }
-  return {};
+  return checks::refusalOf([&] { checkOptions(options); });
 }
 
 TEST(ShrinkWrapOptions, DefaultsPass)

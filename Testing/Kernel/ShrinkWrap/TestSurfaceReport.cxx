@@ -3,6 +3,7 @@
 
 #include "ShrinkWrap/SurfaceReport.h"
 
+#include "ShrinkWrap/WrapRuns.h"
 #include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
@@ -16,12 +17,7 @@ namespace
 {
 
 using namespace evolving;
-
-/// From a sphere about the origin.
-Deviation fromSphere(double radius)
-{
-  return [radius](const Vec3& point) { return std::abs(point.norm() - radius); };
-}
+using evolving::wraps::fromSphere;
 
 TEST(SurfaceReport, OfASphereInsideAnother)
 {
