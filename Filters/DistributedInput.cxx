@@ -73,8 +73,8 @@ void UpdateWhole(vtkAlgorithm* filter)
 //------------------------------------------------------------------------------
 bool DistributedInput::Origin::operator==(const Origin& other) const
 {
-  return this->Producer == other.Producer && this->PipelineTime == other.PipelineTime &&
-    this->TimeStep == other.TimeStep;
+  return this->Producer == other.Producer && this->Port == other.Port &&
+    this->PipelineTime == other.PipelineTime && this->TimeStep == other.TimeStep;
 }
 
 //------------------------------------------------------------------------------
@@ -82,8 +82,7 @@ DistributedInput::Origin DistributedInput::OriginOf(vtkInformation* input)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   Origin origin;
-  int port = 0;
-  vtkExecutive::PRODUCER()->Get(input, origin.Producer, port);
+  vtkExecutive::PRODUCER()->Get(input, origin.Producer, origin.Port);
   if (auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(origin.Producer))
   {
     origin.PipelineTime = pipeline->GetPipelineMTime();

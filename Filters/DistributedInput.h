@@ -67,6 +67,7 @@ private:
   struct Origin
   {
     vtkExecutive* Producer = nullptr;
+    int Port = 0; ///< of the producer
     vtkMTimeType PipelineTime = 0;
     double TimeStep = 0.0;
 

@@ -76,11 +76,27 @@ void WriteRecords(const std::vector<evolving::FlowRecord>& records, vtkTable* ou
 //------------------------------------------------------------------------------
 EvolutionOutput::EvolutionOutput(int pointType, bool hasField,
   evolving::StateSeries::MakeFlow makeFlow, const std::vector<int>& published,
-  std::size_t memoryLimit, const evolving::Execution& execution)
-  : PointType(pointType)
+  std::size_t memoryLimit, const evolving::Execution& execution, std::size_t flowBytes)
+  : Type(pointType)
   , HasField(hasField)
-  , Series(std::move(makeFlow), published, memoryLimit, execution)
+  , Series(std::move(makeFlow), published, memoryLimit, execution, flowBytes,
+      [this](const evolving::SurfaceFlow& flow) { this->Measure(flow); })
 {
+}
+
+//------------------------------------------------------------------------------
+void EvolutionOutput::Measure(const evolving::SurfaceFlow& flow)
+{
+  if (this->Type == VTK_FLOAT && !evolving::floatsHold(flow.mesh()))
+  {
+    this->UseDoubles();
+  }
+  if (this->Type == VTK_FLOAT)
+  {
+    // A last state may come twice, the second time tidied.
+    this->RoundedRecords.resize(static_cast<std::size_t>(flow.record().iteration));
+    this->RoundedRecords.push_back(flow.recordAt(evolving::roundedToFloats(flow.mesh().points)));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -104,9 +120,11 @@ void EvolutionOutput::WriteState(
   const auto state = this->Series.state(i, execution);
   output->Initialize();
   output->SetPolys(this->PolygonsOf(state->origin));
-  KernelBridge::WritePoints(state->points, this->PointType, output);
+  KernelBridge::WritePoints(state->points, this->Type, output);
   WritePointArrays(state->arrays, this->HasField, output);
-  WriteFieldArrays(state->record, output);
+  const auto iteration = static_cast<std::size_t>(state->record.iteration);
+  WriteFieldArrays(
+    this->Type == VTK_FLOAT ? this->RoundedRecords[iteration] : state->record, output);
   if (!this->Series.stopReason().empty())
   {
     KernelBridge::AddFieldValue(output, "Stopped", this->Series.lastIteration());
@@ -122,7 +140,17 @@ evolving::SurfaceMesh EvolutionOutput::Mesh(std::size_t i, const evolving::Execu
 //------------------------------------------------------------------------------
 void EvolutionOutput::WriteHistory(vtkTable* output) const
 {
-  WriteRecords(this->Series.history(), output);
+  std::vector<evolving::FlowRecord> records = this->Series.history();
+  if (this->Type == VTK_FLOAT)
+  {
+    records.assign(this->RoundedRecords.begin(),
+      this->RoundedRecords.begin() + static_cast<std::ptrdiff_t>(records.size()));
+    for (std::size_t row = 0; row < records.size(); ++row)
+    {
+      records[row].seconds = this->Series.history()[row].seconds;
+    }
+  }
+  WriteRecords(records, output);
 }
 
 namespace EvolutionArrays

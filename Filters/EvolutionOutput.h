@@ -21,14 +21,18 @@ class vtkCellArray;
 class vtkPolyData;
 class vtkTable;
 
-/// A flow's series as VTK data: each state with its own polygons, which remeshing may change.
+/**
+ * A flow's series as VTK data: each state with its own polygons, which remeshing may change. All
+ * states have points of one type: the wanted one, or double when floats cannot hold the elements of
+ * a state (Mesh/FloatPoints.h). The numbers of a state are those of the points that are written.
+ */
 class EvolutionOutput
 {
 public:
-  /// Solves the flow.
+  /// Solves the flow; the last parameters are StateSeries'. @param pointType the wanted one
   EvolutionOutput(int pointType, bool hasField, evolving::StateSeries::MakeFlow makeFlow,
     const std::vector<int>& published, std::size_t memoryLimit,
-    const evolving::Execution& execution);
+    const evolving::Execution& execution, std::size_t flowBytes = 0);
 
   /**
    * Points, polygons, point arrays and field arrays of the state published as number i. States
@@ -39,6 +43,11 @@ public:
   /// The state published as number i, as the kernel has it.
   evolving::SurfaceMesh Mesh(std::size_t i, const evolving::Execution& execution);
 
+  /// VTK_FLOAT or VTK_DOUBLE.
+  int PointType() const { return this->Type; }
+  /// For who finds that floats do not keep a promise.
+  void UseDoubles() { this->Type = VTK_DOUBLE; }
+
   /// One row for every computed step.
   void WriteHistory(vtkTable* output) const;
 
@@ -46,11 +55,13 @@ public:
 
 private:
   vtkCellArray* PolygonsOf(const std::shared_ptr<const evolving::SurfaceMesh>& origin);
+  void Measure(const evolving::SurfaceFlow& flow);
 
   std::shared_ptr<const evolving::SurfaceMesh> WrittenOrigin;
   vtkSmartPointer<vtkCellArray> Polygons; ///< of the origin written last
-  int PointType;
+  int Type;
   bool HasField;
+  std::vector<evolving::FlowRecord> RoundedRecords; ///< by iteration, of the points as floats
   evolving::StateSeries Series;
 };
 

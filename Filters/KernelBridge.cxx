@@ -3,12 +3,13 @@
 
 #include "KernelBridge.h"
 
+#include "KernelThreads.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVersionMacros.h"
 
@@ -16,21 +17,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <iomanip>
 #include <new>
 #include <sstream>
+#include <stdexcept>
 
 namespace KernelBridge
 {
 
 namespace
 {
-
-/// Starting VTK's threads costs as much as two or three tasks of the kernel's smallest size.
-constexpr std::int64_t FewestParallelTasks = 4;
 
 //------------------------------------------------------------------------------
 bool AbortRequested(vtkAlgorithm* filter)
@@ -45,58 +42,16 @@ bool AbortRequested(vtkAlgorithm* filter)
 //------------------------------------------------------------------------------
 evolving::Execution ExecutionOf(vtkAlgorithm* filter)
 {
-  const auto parallelFor = [](std::int64_t count, const std::function<void(std::int64_t)>& task)
-  {
-    if (count < FewestParallelTasks)
-    {
-      for (std::int64_t i = 0; i < count; ++i)
-      {
-        task(i);
-      }
-      return;
-    }
-    vtkSMPTools::For(0, count, 1,
-      [&task](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          task(i);
-        }
-      });
-  };
   return evolving::Execution(
-    parallelFor, [filter](double fraction) { filter->UpdateProgress(fraction); },
+    KernelThreads::For, [filter](double fraction) { filter->UpdateProgress(fraction); },
     [filter]() { return AbortRequested(filter); });
 }
 
 //------------------------------------------------------------------------------
-/// Runs work on several threads also where VTK's default backend is the sequential one.
-void WithThreads(const std::function<void()>& work)
+void SayOutOfMemory(vtkAlgorithm* filter)
 {
-  const bool sequential = std::strcmp(vtkSMPTools::GetBackend(), "Sequential") == 0;
-  if (!sequential || std::getenv("VTK_SMP_BACKEND_IN_USE"))
-  {
-    work();
-    return;
-  }
-  // A scope that is left by an exception would keep its backend, so none passes through.
-  std::exception_ptr failure;
-  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false },
-    [&]()
-    {
-      try
-      {
-        work();
-      }
-      catch (...)
-      {
-        failure = std::current_exception();
-      }
-    });
-  if (failure)
-  {
-    std::rethrow_exception(failure);
-  }
+  vtkErrorWithObjectMacro(
+    filter, "The computation ran out of memory; use fewer samples or a smaller mesh.");
 }
 
 } // namespace
@@ -106,7 +61,7 @@ Outcome Run(vtkAlgorithm* filter, const std::function<void(const evolving::Execu
 {
   try
   {
-    WithThreads([&]() { work(ExecutionOf(filter)); });
+    KernelThreads::With([&]() { work(ExecutionOf(filter)); });
     return Outcome::Finished;
   }
   catch (const evolving::Cancelled&)
@@ -115,8 +70,12 @@ Outcome Run(vtkAlgorithm* filter, const std::function<void(const evolving::Execu
   }
   catch (const std::bad_alloc&)
   {
-    vtkErrorWithObjectMacro(
-      filter, "The computation ran out of memory; use fewer samples or a smaller mesh.");
+    SayOutOfMemory(filter);
+  }
+  catch (const std::length_error&)
+  {
+    // Of a standard container that was to have more elements than there are addresses.
+    SayOutOfMemory(filter);
   }
   catch (const std::exception& error)
   {
@@ -141,9 +100,9 @@ int RunToOutputs(vtkAlgorithm* filter, const std::vector<vtkDataObject*>& output
 }
 
 //------------------------------------------------------------------------------
-bool AreValidBounds(const double bounds[6])
+bool IsAutomatic(const double bounds[6])
 {
-  return bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5];
+  return bounds[0] > bounds[1] && bounds[2] > bounds[3] && bounds[4] > bounds[5];
 }
 
 //------------------------------------------------------------------------------
@@ -151,7 +110,7 @@ evolving::DistanceGrid MakeGrid(
   const evolving::Box& box, const int dimensions[3], const double bounds[6], double padding)
 {
   const std::array<int, 3> samples = { dimensions[0], dimensions[1], dimensions[2] };
-  if (!AreValidBounds(bounds))
+  if (IsAutomatic(bounds))
   {
     return evolving::gridAround(box, samples, padding);
   }
@@ -222,16 +181,21 @@ int RefuseUnlessEmpty(vtkAlgorithm* filter, vtkPolyData* input)
 //------------------------------------------------------------------------------
 void RequireMemory(evolving::GridIndex samples, const evolving::SignedDistanceOptions& options)
 {
+  RequireMemory(samples, evolving::peakBytesPerSample(options),
+    "lower SampleDimensions, or ask for a part of the grid at a time");
+}
+
+//------------------------------------------------------------------------------
+void RequireMemory(evolving::GridIndex samples, int bytesPerSample, const char* advice)
+{
   vtksys::SystemInformation system;
   const double available = 1024.0 * static_cast<double>(system.GetHostMemoryTotal());
-  const double needed =
-    static_cast<double>(evolving::peakBytesPerSample(options)) * static_cast<double>(samples);
+  const double needed = static_cast<double>(bytesPerSample) * static_cast<double>(samples);
   if (needed > available)
   {
     std::ostringstream message;
     message << std::fixed << std::setprecision(0) << "A grid of " << samples << " samples needs "
-            << needed << " bytes, but this machine has " << available
-            << "; lower SampleDimensions, or ask for a part of the grid at a time.";
+            << needed << " bytes, but this machine has " << available << "; " << advice << ".";
     throw evolving::InputError(message.str());
   }
 }

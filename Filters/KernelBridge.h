@@ -4,8 +4,9 @@
 /**
  * @file
  * Where VTK meets the kernel: the only place that knows both worlds (KernelBridge.cxx runs the
- * kernel, KernelBridgeRead.cxx and KernelBridgeWrite.cxx translate data, KernelBridgeHash.cxx tells
- * contents apart). Private to the module; it hands the kernel's headers on to the filters.
+ * kernel, KernelBridgeRead.cxx, KernelBridgeReadImage.cxx, KernelBridgeWrite.cxx and
+ * KernelBridgeWelding.cxx translate data, KernelBridgeHash.cxx tells contents apart). Private to
+ * the module; it hands the kernel's headers on to the filters.
  */
 
 #ifndef KernelBridge_h
@@ -21,9 +22,12 @@
 #include "Evolution/SurfaceFlow.h"
 #include "Evolution/SurfaceRemesher.h"
 #include "Execution.h"
+#include "Mesh/FloatPoints.h"
 #include "Mesh/SurfaceMesh.h"
 #include "Mesh/TopologySummary.h"
+#include "Operators/SpoiledElements.h"
 #include "Redistribution/SurfaceRedistribution.h"
+#include "ShrinkWrap/Shortcomings.h"
 #include "ShrinkWrap/ShrinkWrap.h"
 #include "ShrinkWrap/SurfaceReport.h"
 #include "StartSurface/PrimitiveSurfaces.h"
@@ -93,9 +97,9 @@ struct WeldedSurface
 /// As ReadSurface(), with coincident points joined; faces that lose an edge by it are left out.
 WeldedSurface ReadWelded(vtkPolyData* input);
 
-/// New points for a copy of the input: each moves with its vertex, unused ones stay.
-void MoveWeldedPoints(
-  const WeldedSurface& surface, const std::vector<evolving::Vec3>& points, vtkPolyData* output);
+/// New points, of that type, for a copy of the input: each moves with its vertex, unused ones stay.
+void MoveWeldedPoints(const WeldedSurface& surface, const std::vector<evolving::Vec3>& points,
+  int pointType, vtkPolyData* output);
 
 /// The arrays of the welded vertices as arrays of the input's points, zero for unused ones.
 evolving::StateArrays Unweld(const WeldedSurface& surface, const evolving::StateArrays& arrays);
@@ -105,6 +109,21 @@ void CopyWithoutTuples(vtkPolyData* input, vtkPolyData* output);
 
 /// As ReadSurface(), polygons split into triangles (by ear clipping, so concave ones are right).
 Surface ReadTriangles(vtkPolyData* input);
+
+/// Triangles or, of an input without faces, points.
+struct UsableMesh
+{
+  evolving::SurfaceMesh mesh;
+  /// One sentence that counts the faces and points that cannot be used; empty when all can.
+  std::string leftOut;
+};
+
+/**
+ * As ReadTriangles() or ReadPointSet(), without faces of fewer than three corners, and without
+ * faces and points whose coordinates are not finite.
+ * @throws evolving::InputError for corners out of range, or when nothing is left
+ */
+UsableMesh ReadUsable(vtkPolyData* input);
 
 /**
  * The points that vertex cells use, or all points when there is none; then \p cellOfFace is, for
@@ -116,9 +135,9 @@ Surface ReadPointSet(vtkPolyData* input);
 bool HasFaces(vtkPolyData* input);
 
 /**
- * The image's active point scalars, first component.
- * @throws evolving::InputError without scalars, with a rotated image, or with values that are
- * not finite
+ * The image's active point scalars, first component, turned as its direction matrix says.
+ * @throws evolving::InputError without scalars, with spacings that are not positive, a direction
+ * matrix that is neither a rotation nor a reflection, or values that are not finite
  */
 evolving::ScalarImage ReadImage(vtkImageData* image);
 
@@ -128,18 +147,20 @@ vtkSmartPointer<vtkPolyData> WritePolyData(const evolving::SurfaceMesh& mesh, in
 /// The mesh's polygons alone.
 vtkSmartPointer<vtkCellArray> WritePolygons(const evolving::SurfaceMesh& mesh);
 
-/// What the points become when they are written as `pointType`.
-void RoundPoints(int pointType, std::vector<evolving::Vec3>& points);
+/// Says that points are double where the input's are float, because those could not hold them.
+void WarnOfDoubles(vtkAlgorithm* filter);
 
 /// The points alone, for a polydata that shares its polygons with others.
 void WritePoints(const std::vector<evolving::Vec3>& points, int pointType, vtkPolyData* output);
 
 ///@{
 /**
- * SampleDimensions, ModelBounds and Padding of the filters that sample: the bounds as they are
- * when they are valid, otherwise the padded box with cubic cells.
+ * SampleDimensions, ModelBounds and Padding of the filters that sample. Bounds that end before
+ * they begin along all three axes, as VTK's uninitialised ones, stand for the padded box with cubic
+ * cells; others are the grid's as they are.
+ * @throws evolving::InputError for bounds that are no box, and a padding that is no number
  */
-bool AreValidBounds(const double bounds[6]);
+bool IsAutomatic(const double bounds[6]);
 evolving::DistanceGrid MakeGrid(
   const evolving::Box& box, const int dimensions[3], const double bounds[6], double padding);
 ///@}
@@ -184,7 +205,11 @@ int RefuseUnlessEmpty(vtkAlgorithm* filter, vtkPolyData* input);
 void RequireMemory(
   evolving::GridIndex samples, const evolving::SignedDistanceOptions& options = {});
 
-/// A number that changes when points, cells, image samples or their layout change.
+/// The same for a computation of so many bytes for each sample, with what to do instead.
+void RequireMemory(evolving::GridIndex samples, int bytesPerSample, const char* advice);
+
+/// A number that changes when points, their type, cells, image samples or their layout change: all
+/// of a data set that the filters' outputs depend on.
 std::uint64_t ContentHash(vtkDataSet* data);
 
 } // namespace KernelBridge

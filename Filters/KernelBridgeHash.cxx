@@ -5,9 +5,8 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
-#include "vtkNew.h"
+#include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -20,52 +19,76 @@ namespace KernelBridge
 namespace
 {
 
-//------------------------------------------------------------------------------
 /// FNV-1a over 64 bits at a time. A product never reaches the bits below, and the sign of a number
 /// is its highest bit: folded down, it counts too, so that a mirrored surface is another one.
-void HashArray(vtkDataArray* array, std::uint64_t& hash)
+class Hash
 {
-  if (!array)
+public:
+  std::uint64_t Value() const { return this->State; }
+
+  void Add(double value)
   {
-    return;
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &value, sizeof(bits));
+    this->State = (this->State ^ bits) * 1099511628211ULL;
+    this->State ^= this->State >> 32;
   }
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+
+  void Add(const double* values, int count)
   {
-    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+    for (int i = 0; i < count; ++i)
     {
-      std::uint64_t bits = 0;
-      const double value = array->GetComponent(i, c);
-      std::memcpy(&bits, &value, sizeof(bits));
-      hash = (hash ^ bits) * 1099511628211ULL;
-      hash ^= hash >> 32;
+      this->Add(values[i]);
     }
   }
-}
 
-//------------------------------------------------------------------------------
-void HashImage(vtkImageData* image, std::uint64_t& hash)
-{
-  vtkNew<vtkDoubleArray> layout;
-  for (int axis = 0; axis < 3; ++axis)
+  /// Shape and values. What is not there is what is empty: ranks without a part have either.
+  void Add(vtkDataArray* array)
   {
-    layout->InsertNextValue(image->GetOrigin()[axis]);
-    layout->InsertNextValue(image->GetSpacing()[axis]);
-    layout->InsertNextValue(image->GetExtent()[2 * axis]);
-    layout->InsertNextValue(image->GetExtent()[2 * axis + 1]);
+    const vtkIdType tuples = array ? array->GetNumberOfTuples() : 0;
+    const int components = tuples > 0 ? array->GetNumberOfComponents() : 0;
+    this->Add(static_cast<double>(tuples));
+    this->Add(components);
+    for (vtkIdType i = 0; i < tuples; ++i)
+    {
+      for (int c = 0; c < components; ++c)
+      {
+        this->Add(array->GetComponent(i, c));
+      }
+    }
   }
-  HashArray(layout, hash);
-  HashArray(image->GetPointData()->GetScalars(), hash);
+
+private:
+  std::uint64_t State = 14695981039346656037ULL;
+};
+
+//------------------------------------------------------------------------------
+void AddImage(vtkImageData* image, Hash& hash)
+{
+  constexpr int Axes = 3;
+  hash.Add(image->GetOrigin(), Axes);
+  hash.Add(image->GetSpacing(), Axes);
+  hash.Add(image->GetDirectionMatrix()->GetData(), Axes * Axes);
+  for (int end = 0; end < 2 * Axes; ++end)
+  {
+    hash.Add(image->GetExtent()[end]);
+  }
+  hash.Add(image->GetPointData()->GetScalars());
 }
 
 //------------------------------------------------------------------------------
-void HashSurface(vtkPolyData* surface, std::uint64_t& hash)
+void AddSurface(vtkPolyData* surface, Hash& hash)
 {
-  HashArray(surface->GetPoints() ? surface->GetPoints()->GetData() : nullptr, hash);
+  if (surface->GetNumberOfPoints() > 0)
+  {
+    hash.Add(surface->GetPoints()->GetDataType()); // the output's points have it too
+    hash.Add(surface->GetPoints()->GetData());
+  }
   for (vtkCellArray* cells :
     { surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips() })
   {
-    HashArray(cells->GetOffsetsArray(), hash);
-    HashArray(cells->GetConnectivityArray(), hash);
+    hash.Add(cells->GetOffsetsArray());
+    hash.Add(cells->GetConnectivityArray());
   }
 }
 
@@ -74,16 +97,16 @@ void HashSurface(vtkPolyData* surface, std::uint64_t& hash)
 //------------------------------------------------------------------------------
 std::uint64_t ContentHash(vtkDataSet* data)
 {
-  std::uint64_t hash = 14695981039346656037ULL;
+  Hash hash;
   if (auto* image = vtkImageData::SafeDownCast(data))
   {
-    HashImage(image, hash);
+    AddImage(image, hash);
   }
   if (auto* surface = vtkPolyData::SafeDownCast(data))
   {
-    HashSurface(surface, hash);
+    AddSurface(surface, hash);
   }
-  return hash;
+  return hash.Value();
 }
 
 } // namespace KernelBridge

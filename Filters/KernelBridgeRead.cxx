@@ -3,24 +3,19 @@
 
 #include "KernelBridge.h"
 
+#include "Mesh/PolygonTriangulation.h"
+#include "Mesh/UsablePart.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
-#include "vtkDataArray.h"
-#include "vtkIdList.h"
-#include "vtkImageData.h"
-#include "vtkMatrix3x3.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolygon.h"
 
 #include <algorithm>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <sstream>
-#include <utility>
+#include <string>
 
 namespace KernelBridge
 {
@@ -63,6 +58,17 @@ evolving::Index CheckedIndex(vtkIdType id, vtkPolyData* input)
 }
 
 //------------------------------------------------------------------------------
+void AddFace(
+  const vtkIdType* ids, vtkIdType size, vtkIdType cell, vtkPolyData* input, Surface& surface)
+{
+  std::vector<evolving::Index> corners;
+  std::transform(ids, ids + size, std::back_inserter(corners),
+    [input](vtkIdType id) { return CheckedIndex(id, input); });
+  surface.mesh.addFace(corners);
+  surface.cellOfFace.push_back(cell);
+}
+
+//------------------------------------------------------------------------------
 /// The cell ids of a polydata run over its vertices, lines, polygons and strips in this order.
 void ReadPolygons(vtkPolyData* input, Surface& surface)
 {
@@ -73,11 +79,7 @@ void ReadPolygons(vtkPolyData* input, Surface& surface)
     vtkIdType size = 0;
     const vtkIdType* ids = nullptr;
     cells->GetCurrentCell(size, ids);
-    std::vector<evolving::Index> corners;
-    std::transform(ids, ids + size, std::back_inserter(corners),
-      [input](vtkIdType id) { return CheckedIndex(id, input); });
-    surface.mesh.addFace(corners);
-    surface.cellOfFace.push_back(cell);
+    AddFace(ids, size, cell, input, surface);
   }
 }
 
@@ -92,6 +94,11 @@ void ReadStrips(vtkPolyData* input, Surface& surface)
     vtkIdType size = 0;
     const vtkIdType* ids = nullptr;
     strips->GetCurrentCell(size, ids);
+    if (size < 3)
+    {
+      // Damaged as a polygon of so few corners is.
+      AddFace(ids, size, cell, input, surface);
+    }
     for (vtkIdType i = 0; i + 2 < size; ++i)
     {
       // Every second triangle of a strip runs the other way.
@@ -104,98 +111,18 @@ void ReadStrips(vtkPolyData* input, Surface& surface)
 }
 
 //------------------------------------------------------------------------------
-/// The corners (numbers inside the face) of the triangles of one polygon.
-void TriangulateFace(const evolving::SurfaceMesh& mesh, evolving::Index face, vtkIdList* corners)
-{
-  const evolving::Index size = mesh.faceSize(face);
-  vtkNew<vtkPolygon> polygon;
-  polygon->Points->SetDataTypeToDouble();
-  polygon->Points->SetNumberOfPoints(size);
-  polygon->PointIds->SetNumberOfIds(size);
-  for (evolving::Index k = 0; k < size; ++k)
-  {
-    polygon->Points->SetPoint(k, mesh.facePoint(face, k).data());
-    polygon->PointIds->SetId(k, k);
-  }
-  if (polygon->Triangulate(corners) && corners->GetNumberOfIds() == 3 * (size - 2))
-  {
-    return;
-  }
-  // A polygon without area has no ears; a fan covers the same points.
-  corners->Reset();
-  for (evolving::Index k = 1; k + 1 < size; ++k)
-  {
-    corners->InsertNextId(0);
-    corners->InsertNextId(k);
-    corners->InsertNextId(k + 1);
-  }
-}
-
-//------------------------------------------------------------------------------
-Surface SplitIntoTriangles(const Surface& surface)
-{
-  Surface split;
-  split.mesh.points = surface.mesh.points;
-  vtkNew<vtkIdList> corners;
-  for (evolving::Index face = 0; face < surface.mesh.faceCount(); ++face)
-  {
-    TriangulateFace(surface.mesh, face, corners);
-    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); i += 3)
-    {
-      const auto vertex = [&](vtkIdType k) {
-        return surface.mesh.faceVertex(face, static_cast<evolving::Index>(corners->GetId(i + k)));
-      };
-      split.mesh.addFace({ vertex(0), vertex(1), vertex(2) });
-      split.cellOfFace.push_back(surface.cellOfFace[static_cast<std::size_t>(face)]);
-    }
-  }
-  return split;
-}
-
-} // namespace
-
-//------------------------------------------------------------------------------
-Surface ReadSurface(vtkPolyData* input)
+/// With all corner numbers in range, and whatever else may be wrong.
+Surface ReadAnySurface(vtkPolyData* input)
 {
   Surface surface;
   surface.mesh.points = ReadPoints(input);
   ReadPolygons(input, surface);
   ReadStrips(input, surface);
-  evolving::validate(surface.mesh);
   return surface;
 }
 
 //------------------------------------------------------------------------------
-Surface ReadTriangles(vtkPolyData* input)
-{
-  Surface surface = ReadSurface(input);
-  return surface.mesh.hasOnlyTriangles() ? surface : SplitIntoTriangles(surface);
-}
-
-//------------------------------------------------------------------------------
-WeldedSurface ReadWelded(vtkPolyData* input)
-{
-  const evolving::SurfaceMesh mesh = ReadSurface(input).mesh;
-  WeldedSurface surface;
-  surface.mesh = evolving::weldCoincidentPoints(mesh);
-  // Every point goes with the vertex that has its coordinates.
-  const auto less = [](const evolving::Vec3& p, const evolving::Vec3& q)
-  { return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end()); };
-  std::map<evolving::Vec3, evolving::Index, decltype(less)> vertexAt(less);
-  for (evolving::Index v = 0; v < surface.mesh.vertexCount(); ++v)
-  {
-    vertexAt.emplace(surface.mesh.points[static_cast<std::size_t>(v)], v);
-  }
-  for (const evolving::Vec3& point : mesh.points)
-  {
-    const auto vertex = point.allFinite() ? vertexAt.find(point) : vertexAt.end();
-    surface.vertexOfPoint.push_back(vertex == vertexAt.end() ? evolving::NoIndex : vertex->second);
-  }
-  return surface;
-}
-
-//------------------------------------------------------------------------------
-Surface ReadPointSet(vtkPolyData* input)
+Surface ReadAnyPointSet(vtkPolyData* input)
 {
   const std::vector<evolving::Vec3> all = ReadPoints(input);
   Surface set;
@@ -220,50 +147,119 @@ Surface ReadPointSet(vtkPolyData* input)
       add(point, point);
     }
   }
-  evolving::validate(set.mesh);
   return set;
+}
+
+//------------------------------------------------------------------------------
+/// Of a face, or the point of that number where there are no faces.
+evolving::Vec3 FirstNotFinite(const evolving::SurfaceMesh& mesh, evolving::Index number)
+{
+  const bool isFace = mesh.faceCount() > 0;
+  evolving::Index corner = 0;
+  while (isFace && mesh.facePoint(number, corner).allFinite())
+  {
+    ++corner;
+  }
+  return isFace ? mesh.facePoint(number, corner) : mesh.points[static_cast<std::size_t>(number)];
+}
+
+//------------------------------------------------------------------------------
+/// What the kernel's validate() requires, in the input's cell numbers, which it does not know.
+void RequireUndamaged(const Surface& surface)
+{
+  const evolving::Index first = evolving::findDamagedParts(surface.mesh).first;
+  if (first == evolving::NoIndex)
+  {
+    return;
+  }
+  const bool isFace = surface.mesh.faceCount() > 0;
+  std::ostringstream message;
+  message << (isFace ? "Cell " : "The vertex cell or point ")
+          << surface.cellOfFace[static_cast<std::size_t>(first)];
+  if (isFace && surface.mesh.faceSize(first) < 3)
+  {
+    message << " is a face of " << surface.mesh.faceSize(first) << " corners, expected at least 3";
+  }
+  else
+  {
+    message << " has the coordinates (" << FirstNotFinite(surface.mesh, first).transpose()
+            << "), expected finite numbers";
+  }
+  message << "; remove or repair it before this filter.";
+  throw evolving::InputError(message.str());
+}
+
+//------------------------------------------------------------------------------
+Surface SplitIntoTriangles(const Surface& surface)
+{
+  Surface split;
+  std::vector<evolving::Index> oldFace;
+  split.mesh = evolving::triangulate(surface.mesh, oldFace);
+  for (const evolving::Index face : oldFace)
+  {
+    split.cellOfFace.push_back(surface.cellOfFace[static_cast<std::size_t>(face)]);
+  }
+  return split;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+Surface ReadSurface(vtkPolyData* input)
+{
+  Surface surface = ReadAnySurface(input);
+  RequireUndamaged(surface);
+  return surface;
+}
+
+//------------------------------------------------------------------------------
+Surface ReadTriangles(vtkPolyData* input)
+{
+  Surface surface = ReadSurface(input);
+  return surface.mesh.hasOnlyTriangles() ? surface : SplitIntoTriangles(surface);
+}
+
+//------------------------------------------------------------------------------
+Surface ReadPointSet(vtkPolyData* input)
+{
+  Surface set = ReadAnyPointSet(input);
+  RequireUndamaged(set);
+  return set;
+}
+
+//------------------------------------------------------------------------------
+UsableMesh ReadUsable(vtkPolyData* input)
+{
+  const Surface surface = HasFaces(input) ? ReadAnySurface(input) : ReadAnyPointSet(input);
+  const evolving::DamagedParts damaged = evolving::findDamagedParts(surface.mesh);
+  if (static_cast<std::size_t>(damaged.count()) == surface.cellOfFace.size())
+  {
+    throw evolving::InputError("None of the input's faces or points can be used: all have "
+                               "coordinates that are not finite or fewer than three corners; check "
+                               "what produces them.");
+  }
+  UsableMesh usable;
+  usable.mesh = surface.mesh;
+  if (damaged.count() > 0)
+  {
+    usable.mesh = evolving::withoutDamagedParts(surface.mesh);
+    const vtkIdType first = surface.cellOfFace[static_cast<std::size_t>(damaged.first)];
+    const bool isCell = HasFaces(input) || input->GetNumberOfVerts() > 0;
+    usable.leftOut = evolving::describeLeftOut(
+      damaged, surface.mesh, (isCell ? "cell " : "point ") + std::to_string(first));
+  }
+  if (!usable.mesh.hasOnlyTriangles())
+  {
+    std::vector<evolving::Index> oldFace;
+    usable.mesh = evolving::triangulate(usable.mesh, oldFace);
+  }
+  return usable;
 }
 
 //------------------------------------------------------------------------------
 bool HasFaces(vtkPolyData* input)
 {
   return input->GetNumberOfPolys() + input->GetNumberOfStrips() > 0;
-}
-
-//------------------------------------------------------------------------------
-evolving::ScalarImage ReadImage(vtkImageData* image)
-{
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  if (!scalars)
-  {
-    throw evolving::InputError(
-      "The image on the second input has no active point scalars, "
-      "expected a distance or an intensity; choose one of its point arrays, or use Cell Data "
-      "to Point Data first.");
-  }
-  if (!image->GetDirectionMatrix()->IsIdentity())
-  {
-    throw evolving::InputError("The image on the second input is rotated (its direction matrix is "
-                               "not the identity), expected one along the axes; resample it.");
-  }
-  evolving::DistanceGrid grid;
-  image->GetOrigin(grid.origin.data());
-  image->GetSpacing(grid.spacing.data());
-  image->GetExtent(grid.extent.data());
-  std::vector<float> values(static_cast<std::size_t>(scalars->GetNumberOfTuples()));
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    values[i] = static_cast<float>(scalars->GetComponent(static_cast<vtkIdType>(i), 0));
-  }
-  return evolving::ScalarImage(grid, std::move(values));
-}
-
-//------------------------------------------------------------------------------
-int PointType(vtkPointSet* input)
-{
-  const bool isDouble =
-    input && input->GetPoints() && input->GetPoints()->GetDataType() == VTK_DOUBLE;
-  return isDouble ? VTK_DOUBLE : VTK_FLOAT;
 }
 
 } // namespace KernelBridge

@@ -3,6 +3,7 @@
 
 #include "KernelBridge.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -13,8 +14,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
-
-#include <type_traits>
 
 namespace KernelBridge
 {
@@ -33,48 +32,6 @@ void ReplaceFieldArray(vtkDataObject* data, vtkAbstractArray* array)
 }
 
 } // namespace
-
-//------------------------------------------------------------------------------
-void MoveWeldedPoints(
-  const WeldedSurface& surface, const std::vector<evolving::Vec3>& points, vtkPolyData* output)
-{
-  vtkNew<vtkPoints> moved;
-  moved->SetDataType(output->GetPoints()->GetDataType());
-  moved->DeepCopy(output->GetPoints());
-  for (std::size_t i = 0; i < surface.vertexOfPoint.size(); ++i)
-  {
-    const evolving::Index vertex = surface.vertexOfPoint[i];
-    if (vertex != evolving::NoIndex)
-    {
-      moved->SetPoint(static_cast<vtkIdType>(i), points[static_cast<std::size_t>(vertex)].data());
-    }
-  }
-  output->SetPoints(moved);
-}
-
-//------------------------------------------------------------------------------
-evolving::StateArrays Unweld(const WeldedSurface& surface, const evolving::StateArrays& arrays)
-{
-  const auto spread = [&surface](const auto& values, const auto& zero)
-  {
-    using Values = std::decay_t<decltype(values)>;
-    Values spreadValues;
-    for (const evolving::Index vertex : surface.vertexOfPoint)
-    {
-      const bool has = vertex != evolving::NoIndex && !values.empty();
-      spreadValues.push_back(has ? values[static_cast<std::size_t>(vertex)] : zero);
-    }
-    return spreadValues;
-  };
-  const evolving::Vec3 zero = evolving::Vec3::Zero();
-  evolving::StateArrays points;
-  points.normal = spread(arrays.normal, zero);
-  points.meanCurvature = spread(arrays.meanCurvature, 0.0);
-  points.coVolume = spread(arrays.coVolume, 0.0);
-  points.tangentialVelocity = spread(arrays.tangentialVelocity, zero);
-  points.redistributionPotential = spread(arrays.redistributionPotential, 0.0);
-  return points;
-}
 
 //------------------------------------------------------------------------------
 void CopyWithoutTuples(vtkPolyData* input, vtkPolyData* output)
@@ -131,12 +88,20 @@ void WritePoints(const std::vector<evolving::Vec3>& points, int pointType, vtkPo
 }
 
 //------------------------------------------------------------------------------
-void RoundPoints(int pointType, std::vector<evolving::Vec3>& points)
+int PointType(vtkPointSet* input)
 {
-  for (evolving::Vec3& point : points)
-  {
-    point = pointType == VTK_FLOAT ? evolving::Vec3(point.cast<float>().cast<double>()) : point;
-  }
+  const bool isDouble =
+    input && input->GetPoints() && input->GetPoints()->GetDataType() == VTK_DOUBLE;
+  return isDouble ? VTK_DOUBLE : VTK_FLOAT;
+}
+
+//------------------------------------------------------------------------------
+void WarnOfDoubles(vtkAlgorithm* filter)
+{
+  vtkWarningWithObjectMacro(filter,
+    << "The points of the output are double although those of the input are float: where they lie, "
+       "floats are too far apart for triangles as small as these; move the input nearer to the "
+       "origin to keep float.");
 }
 
 //------------------------------------------------------------------------------

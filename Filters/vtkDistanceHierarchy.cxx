@@ -18,6 +18,7 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
+#include <limits>
 
 vtkStandardNewMacro(vtkDistanceHierarchy);
 
@@ -26,6 +27,8 @@ namespace
 
 constexpr int LargestDimension = 65536;
 constexpr int SidesOfBox = 6;
+/// Of a level: a box is some 450 bytes of output.
+constexpr std::size_t MostBoxes = std::size_t(1) << 23;
 constexpr int Leaves = -1;    ///< as a level
 constexpr int AllLevels = -2; ///< as a level
 
@@ -198,7 +201,8 @@ int vtkDistanceHierarchy::RequestData(
       {
         const evolving::DistanceGrid grid = KernelBridge::MakeGrid(
           evolving::boundingBox(mesh), this->SampleDimensions, this->ModelBounds, this->Padding);
-        const evolving::DistanceOctree octree(tree, grid, execution.phase(0.5, 1.0));
+        const evolving::DistanceOctree octree(
+          tree, grid, execution.phase(0.5, 1.0), std::numeric_limits<int>::max(), MostBoxes);
         AddOctreeBoxes(octree, this->Level, boxes);
       }
       boxes.Write(output, this->Structure == AABB_TREE);

@@ -59,7 +59,7 @@ public:
   ///@{
   /**
    * As in vtkMeshSDF: the octree's smallest cells are those of this grid. The default is 128 x 128
-   * x 128, the range 1 to 65536 an axis.
+   * x 128, the range 1 to 65536 an axis. More than 8 million boxes of a level are an error.
    */
   void SetSampleDimensions(int x, int y, int z);
   void SetSampleDimensions(const int dimensions[3]);
@@ -76,7 +76,8 @@ public:
 
   ///@{
   /**
-   * As in vtkMeshSDF; when x0 > x1 (the default) the input's bounds and Padding.
+   * As in vtkMeshSDF; when x0 > x1, y0 > y1 and z0 > z1 (the default) the input's bounds and
+   * Padding.
    */
   vtkSetVector6Macro(ModelBounds, double);
   vtkGetVector6Macro(ModelBounds, double);

@@ -70,7 +70,7 @@ public:
   ///@{
   /**
    * Radius of the sphere, half the side of the box, in length units. The default is 1, the range
-   * above 0.
+   * above 0. Points that overflow or fall together in the output's precision are an error.
    */
   vtkSetClampMacro(Radius, double, VTK_DBL_MIN, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);

@@ -3,23 +3,19 @@
 
 #include "vtkMeshSDF.h"
 
+#include "DistanceImage.h"
 #include "DistributedInput.h"
 #include "KernelBridge.h"
 
-#include "vtkDataArray.h"
 #include "vtkDataObject.h"
-#include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <algorithm>
 #include <vector>
 
 vtkStandardNewMacro(vtkMeshSDF);
@@ -38,34 +34,6 @@ evolving::Extent RequestedExtent(vtkInformation* request)
 }
 
 //------------------------------------------------------------------------------
-void AddFloatArray(
-  vtkImageData* image, const char* name, int components, const std::vector<float>& values)
-{
-  vtkNew<vtkFloatArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  image->GetPointData()->AddArray(array);
-}
-
-//------------------------------------------------------------------------------
-void AddClosestCells(vtkImageData* image, const std::vector<evolving::Index>& faces,
-  const std::vector<vtkIdType>& cellOfFace)
-{
-  vtkNew<vtkIdTypeArray> array;
-  array->SetName("ClosestCellId");
-  array->SetNumberOfTuples(static_cast<vtkIdType>(faces.size()));
-  for (std::size_t i = 0; i < faces.size(); ++i)
-  {
-    const evolving::Index face = faces[i];
-    array->SetValue(static_cast<vtkIdType>(i),
-      face == evolving::NoIndex ? -1 : cellOfFace[static_cast<std::size_t>(face)]);
-  }
-  image->GetPointData()->AddArray(array);
-}
-
-//------------------------------------------------------------------------------
 /// The input as the kernel wants it: triangles, or a point set whose "cells" are its points.
 KernelBridge::Surface ReadInput(vtkPolyData* input)
 {
@@ -74,32 +42,6 @@ KernelBridge::Surface ReadInput(vtkPolyData* input)
     return KernelBridge::ReadTriangles(input);
   }
   return KernelBridge::ReadPointSet(input);
-}
-
-//------------------------------------------------------------------------------
-void WriteImage(const evolving::DistanceGrid& grid, const evolving::Extent& part,
-  const evolving::SignedDistanceResult& result, const std::vector<vtkIdType>& cellOfFace,
-  vtkImageData* output)
-{
-  output->SetOrigin(grid.origin.data());
-  output->SetSpacing(grid.spacing.data());
-  output->SetExtent(part[0], part[1], part[2], part[3], part[4], part[5]);
-  AddFloatArray(output, "SignedDistance", 1, result.distance);
-  output->GetPointData()->SetActiveScalars("SignedDistance");
-  if (!result.closestPoint.empty())
-  {
-    AddFloatArray(output, "ClosestPoint", 3, result.closestPoint);
-  }
-  if (!result.closestFace.empty())
-  {
-    AddClosestCells(output, result.closestFace, cellOfFace);
-  }
-  if (!result.gradient.empty())
-  {
-    AddFloatArray(output, "Gradient", 3, result.gradient);
-  }
-  KernelBridge::AddFieldValue(output, "SignMethod", static_cast<int>(result.sign));
-  KernelBridge::AddFieldValue(output, "SignReason", result.signReason);
 }
 
 } // namespace
@@ -170,7 +112,7 @@ void vtkMeshSDF::PublishGrid(vtkInformation* info) const
   }
   catch (const evolving::InputError&)
   {
-    // Bounds without extent: RequestData says so, once, and leaves the output empty.
+    // Bounds that are no box: RequestData says so, once, and leaves the output empty.
   }
 }
 
@@ -187,7 +129,7 @@ int vtkMeshSDF::RequestInformation(
   // Automatic bounds depend on data that are not there yet; then the data alone say where.
   info->Remove(vtkDataObject::ORIGIN());
   info->Remove(vtkDataObject::SPACING());
-  if (KernelBridge::AreValidBounds(this->ModelBounds))
+  if (!KernelBridge::IsAutomatic(this->ModelBounds))
   {
     this->PublishGrid(info);
   }
@@ -240,7 +182,7 @@ int vtkMeshSDF::RequestData(
       const evolving::Extent computed = evolving::canComputeParts(options) ? part : grid.extent;
       KernelBridge::RequireMemory(grid.part(computed).sampleCount(), options);
       const auto result = evolving::signedDistance(surface.mesh, grid, part, options, execution);
-      WriteImage(grid, part, result, surface.cellOfFace, output);
+      DistanceImage::Write(grid, part, result, surface.cellOfFace, output);
     });
 }
 

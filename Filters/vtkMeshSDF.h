@@ -98,8 +98,10 @@ public:
 
   ///@{
   /**
-   * The box of the grid (x0, x1, y0, y1, z0, z1), taken as it is. When x0 > x1 (the default,
-   * 1, -1, 1, -1, 1, -1) it is automatic: the input's bounds and Padding.
+   * The box of the grid (x0, x1, y0, y1, z0, z1), taken as it is. When x0 > x1, y0 > y1 and z0 > z1
+   * (the default, 1, -1, 1, -1, 1, -1) it is automatic: the input's bounds and Padding. A box that
+   * ends before it begins along one or two axes, or has no length along one that has several
+   * samples, is an error.
    */
   vtkSetVector6Macro(ModelBounds, double);
   vtkGetVector6Macro(ModelBounds, double);

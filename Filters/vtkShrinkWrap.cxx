@@ -3,11 +3,12 @@
 
 #include "vtkShrinkWrap.h"
 
-#include "ContentStamp.h"
 #include "DistributedInput.h"
+#include "EvolutionCache.h"
 #include "EvolutionOutput.h"
 #include "KernelBridge.h"
 #include "TimeSteps.h"
+#include "WrapReport.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
@@ -29,55 +30,19 @@ constexpr int LargestDimension = 4096;
 constexpr std::size_t SeriesBytes = std::size_t(2048) << 20;
 
 //------------------------------------------------------------------------------
-void WriteReport(const evolving::SurfaceReport& report,
-  const std::vector<std::string>& shortcomings, vtkPolyData* output)
-{
-  KernelBridge::AddFieldValue(output, "IsClosed", report.isClosed ? 1 : 0);
-  KernelBridge::AddFieldValue(output, "IsManifold", report.isManifold ? 1 : 0);
-  KernelBridge::AddFieldValue(output, "SelfIntersections", report.selfIntersections);
-  KernelBridge::AddFieldValue(output, "Genus", report.genus);
-  KernelBridge::AddFieldValue(output, "MinAngle", report.minAngle);
-  KernelBridge::AddFieldValue(output, "MaxDistance", report.maxDistance);
-  if (!shortcomings.empty())
-  {
-    KernelBridge::AddFieldStrings(output, "Shortcomings", shortcomings);
-  }
-}
-
-//------------------------------------------------------------------------------
 std::vector<int> PublishedIterations(const evolving::ShrinkWrapOptions& options)
 {
   return evolving::publishedIterations(evolving::stepsOf(options), 0, 1);
 }
 
-//------------------------------------------------------------------------------
-evolving::SurfaceMesh ReadTarget(vtkPolyData* input)
-{
-  return KernelBridge::HasFaces(input) ? KernelBridge::ReadTriangles(input).mesh
-                                       : KernelBridge::ReadPointSet(input).mesh;
-}
-
 } // namespace
 
 //------------------------------------------------------------------------------
-/// The last solve, and what it was a solve of.
-struct vtkShrinkWrap::Cache
+/// The last solve, and what is said of it.
+struct vtkShrinkWrap::Cache : EvolutionCache<evolving::ShrinkWrapOptions>
 {
-  ContentStamp Input;
-  evolving::ShrinkWrapOptions Options;
-  std::unique_ptr<EvolutionOutput> Series;
   evolving::SurfaceReport Report;
   std::vector<std::string> Shortcomings;
-
-  /// Forgets the series unless it is the one of this input and these options.
-  void Check(vtkPolyData* input, const evolving::ShrinkWrapOptions& options)
-  {
-    if (this->Input.Update(input) || !(options == this->Options))
-    {
-      this->Series.reset();
-    }
-    this->Options = options;
-  }
 };
 
 //------------------------------------------------------------------------------
@@ -189,7 +154,7 @@ int vtkShrinkWrap::RequestData(
   return KernelBridge::RunToOutputs(this, { output, history },
     [&](const evolving::Execution& execution)
     {
-      this->Solved->Check(input, this->Options());
+      this->Solved->Check({ input }, this->Options());
       if (!this->Solved->Series)
       {
         this->Solve(input, execution);
@@ -199,7 +164,7 @@ int vtkShrinkWrap::RequestData(
       series.WriteHistory(history);
       if (step + 1 == times.size())
       {
-        WriteReport(this->Solved->Report, this->Solved->Shortcomings, output);
+        WrapReport::Write(this->Solved->Report, this->Solved->Shortcomings, output);
       }
       if (this->OutputSteps)
       {
@@ -220,31 +185,40 @@ void vtkShrinkWrap::Solve(vtkPolyData* input, const evolving::Execution& executi
 {
   ++this->NumberOfSolves;
   const int* n = this->SampleDimensions;
-  KernelBridge::RequireMemory(evolving::GridIndex(n[0]) * n[1] * n[2]);
+  KernelBridge::RequireMemory(evolving::GridIndex(n[0]) * n[1] * n[2],
+    evolving::wrapBytesPerSample(), "lower SampleDimensions");
   const evolving::ShrinkWrapOptions options = this->Options();
+  const KernelBridge::UsableMesh target = KernelBridge::ReadUsable(input);
   const evolving::ShrinkWrapProblem problem =
-    evolving::prepareShrinkWrap(ReadTarget(input), options, execution.phase(0.0, 0.3));
+    evolving::prepareShrinkWrap(target.mesh, options, execution.phase(0.0, 0.3));
   const auto makeFlow = [problem](const evolving::Execution& host)
   {
     return evolving::SurfaceFlow(
       problem.start, problem.field, problem.remesher, problem.flow, host);
   };
-  const int pointType = KernelBridge::PointType(input);
-  auto series = std::make_unique<EvolutionOutput>(pointType, true, makeFlow,
-    PublishedIterations(options), SeriesBytes, execution.phase(0.3, 0.9));
-  evolving::SurfaceMesh result =
+  auto series = std::make_unique<EvolutionOutput>(KernelBridge::PointType(input), true, makeFlow,
+    PublishedIterations(options), SeriesBytes, execution.phase(0.3, 0.9),
+    evolving::bytesOf(problem));
+  const evolving::SurfaceMesh result =
     series->Mesh(PublishedIterations(options).size() - 1, execution.phase(0.9, 0.9));
-  KernelBridge::RoundPoints(pointType, result.points);
-  this->Solved->Report = evolving::examineWrap(result, problem, execution.phase(0.9, 1.0));
+  this->Solved->Report = WrapReport::Examine(result, problem, *series, execution.phase(0.9, 1.0));
   this->Solved->Shortcomings = evolving::shortcomings(this->Solved->Report, problem.edgeLength);
+  if (!target.leftOut.empty())
+  {
+    this->Solved->Shortcomings.insert(this->Solved->Shortcomings.begin(), target.leftOut);
+  }
   this->Solved->Series = std::move(series);
-  this->Warn();
+  this->Warn(input);
 }
 
 //------------------------------------------------------------------------------
-void vtkShrinkWrap::Warn()
+void vtkShrinkWrap::Warn(vtkPolyData* input)
 {
   const Cache& solved = *this->Solved;
+  if (solved.Series->PointType() != KernelBridge::PointType(input))
+  {
+    KernelBridge::WarnOfDoubles(this);
+  }
   if (!solved.Series->Flow().stopReason().empty())
   {
     // The state before it has been finished all the same.

@@ -14,6 +14,9 @@
  * least squares. The orientation of the input is never trusted. Sheets that can be reached from
  * both sides become thin closed walls.
  *
+ * Faces of fewer than three corners, and faces and points whose coordinates are not finite, are
+ * left out; a warning counts them, and so does Shortcomings.
+ *
  * A stage that makes the surface run through itself is undone at that place. What could not be
  * reached is said in a warning for each, with the place, and in the field array Shortcomings.
  *
@@ -24,6 +27,11 @@
  * MaxDistance (largest distance of its vertices from where they should be: on the input with its
  * holes filled, at OffsetDistance from it, or at a wall's half thickness), and Shortcomings
  * (strings, one for each; no such array when there are none).
+ *
+ * Points are of the input's type, float or double, and field data are of the points as they are
+ * written. Where floats are so far apart that triangles would lose their shapes (angles by a degree
+ * on the average), or where rounding would make triangles intersect or add another shortcoming, the
+ * points of all times are double, and a warning says so.
  *
  * Output 1 is the vtkTable `History` of vtkSurfaceEvolution.
  *
@@ -184,7 +192,7 @@ private:
   evolving::ShrinkWrapOptions Options() const;
   std::vector<double> Times() const;
   void Solve(vtkPolyData* input, const evolving::Execution& execution);
-  void Warn();
+  void Warn(vtkPolyData* input);
 
   bool OutputSteps = false;
   int Start = ISOSURFACE;

@@ -3,8 +3,8 @@
 
 #include "vtkSurfaceEvolution.h"
 
-#include "ContentStamp.h"
 #include "DistributedInput.h"
+#include "EvolutionCache.h"
 #include "EvolutionOutput.h"
 #include "KernelBridge.h"
 #include "TimeSteps.h"
@@ -44,28 +44,11 @@ evolving::SurfaceMesh StartSurface(const KernelBridge::Surface& surface)
 } // namespace
 
 //------------------------------------------------------------------------------
-/// The last solve, and what it was a solve of.
+/// Of the flow's options, those of remeshing, OutputInterval and CacheLimit.
 struct vtkSurfaceEvolution::Cache
+  : EvolutionCache<
+      std::tuple<evolving::FlowOptions, std::optional<evolving::SurfaceRemeshingOptions>, int, int>>
 {
-  /// The flow's options, OutputInterval, CacheLimit, Remeshing, TargetEdgeLength.
-  using Parameters = std::tuple<evolving::FlowOptions, int, int, int, double>;
-
-  ContentStamp Surface;
-  ContentStamp Field;
-  Parameters Used;
-  std::unique_ptr<EvolutionOutput> Series;
-
-  /// Forgets the series unless it is the one of these inputs and parameters.
-  void Check(vtkPolyData* surface, vtkImageData* field, const Parameters& parameters)
-  {
-    const bool newSurface = this->Surface.Update(surface);
-    const bool newField = this->Field.Update(field);
-    if (newSurface || newField || !(parameters == this->Used))
-    {
-      this->Series.reset();
-    }
-    this->Used = parameters;
-  }
 };
 
 //------------------------------------------------------------------------------
@@ -129,17 +112,15 @@ evolving::FlowOptions vtkSurfaceEvolution::Options() const
 }
 
 //------------------------------------------------------------------------------
-/// Null for none.
-std::shared_ptr<evolving::Remesher> vtkSurfaceEvolution::NewElements(
-  const evolving::SurfaceMesh& start) const
+/// None when elements stay as they are.
+std::optional<evolving::SurfaceRemeshingOptions> vtkSurfaceEvolution::RemeshingOptions() const
 {
   if (this->Remeshing == OFF)
   {
-    return nullptr;
+    return std::nullopt;
   }
-  return std::make_shared<evolving::SurfaceRemesher>(start,
-    evolving::SurfaceRemeshingOptions{ static_cast<evolving::ElementSizing>(this->Remeshing),
-      this->TargetEdgeLength, static_cast<evolving::BoundaryMode>(this->BoundaryMode) });
+  return evolving::SurfaceRemeshingOptions{ static_cast<evolving::ElementSizing>(this->Remeshing),
+    this->TargetEdgeLength, static_cast<evolving::BoundaryMode>(this->BoundaryMode) };
 }
 
 //------------------------------------------------------------------------------
@@ -203,9 +184,8 @@ int vtkSurfaceEvolution::RequestData(
   const auto times = TimeSteps::Times(published, this->TimeStep);
   const std::size_t step = TimeSteps::Requested(outputVector->GetInformationObject(0), times);
   Cache& cache = *this->Solved;
-  cache.Check(input, field,
-    { this->Options(), this->OutputInterval, this->CacheLimit, this->Remeshing,
-      this->TargetEdgeLength });
+  cache.Check({ input, field },
+    { this->Options(), this->RemeshingOptions(), this->OutputInterval, this->CacheLimit });
   return KernelBridge::RunToOutputs(this, { output, history },
     [&](const evolving::Execution& execution)
     {
@@ -232,13 +212,22 @@ std::unique_ptr<EvolutionOutput> vtkSurfaceEvolution::Solve(vtkPolyData* input, 
     image = std::make_shared<const evolving::ScalarImage>(KernelBridge::ReadImage(field));
   }
   const evolving::FlowOptions options = this->Options();
-  const std::shared_ptr<evolving::Remesher> remesher = this->NewElements(*start);
+  std::shared_ptr<evolving::Remesher> remesher;
+  if (const auto remeshing = this->RemeshingOptions())
+  {
+    remesher = std::make_shared<evolving::SurfaceRemesher>(*start, *remeshing);
+  }
+  const std::size_t imageBytes = image ? image->values().size() * sizeof(float) : 0;
   ++this->NumberOfSolves;
   auto series = std::make_unique<EvolutionOutput>(
     KernelBridge::PointType(input), image != nullptr,
     [start, image, remesher, options](const evolving::Execution& host)
     { return evolving::SurfaceFlow(start, image, remesher, options, host); },
-    published, Bytes(this->CacheLimit), execution);
+    published, Bytes(this->CacheLimit), execution, imageBytes);
+  if (series->PointType() != KernelBridge::PointType(input))
+  {
+    KernelBridge::WarnOfDoubles(this);
+  }
   if (!series->Flow().stopReason().empty())
   {
     vtkErrorMacro(<< series->Flow().stopReason());

@@ -16,7 +16,8 @@
  * with boundary; coincident points are joined first, and a closed surface that is inside out, as
  * contour filters make it of a signed distance, is turned. Input 1, optional, is a vtkImageData
  * whose active point scalars are the field: a signed distance (negative inside, as vtkMeshSDF makes
- * it), or an image to segment (`FieldMode`). Without it the flow is pure mean curvature flow.
+ * it), or an image to segment (`FieldMode`); its direction matrix may turn or mirror it. Without it
+ * the flow is pure mean curvature flow.
  *
  * Output 0 is the surface at a time step: t = 0 is the start, then every OutputInterval-th step,
  * the last one always. An update without a time gives the last step, the result. The flow is
@@ -32,12 +33,16 @@
  * not help. A component that has shrunk to a point stays there; with Remeshing it is left out where
  * others remain.
  *
+ * Points are of the input's type, float or double, and field data and history are of the points as
+ * they are written. Where floats are so far apart that the elements would lose their shapes (angles
+ * by a degree on the average), the points of all times are double, and a warning says so.
+ *
  * Output 1 is a vtkTable `History` with one row for every computed step.
  *
  * Units. With RelativeUnits on, lengths are measured in L, the radius of the target's bounding
- * sphere (half the diagonal of the box of the samples inside; without a field, and for an edge
- * detector, of the input's box), so that the same numbers serve a model of any size. Rates are
- * per unit of time.
+ * sphere (half the diagonal of the box of the samples inside, along the image's own axes; without a
+ * field, and for an edge detector, of the input's box), so that the same numbers serve a model of
+ * any size. Rates are per unit of time.
  *
  * M. Cavarga, "Optimal Discretization of 3D Objects by Evolving Surfaces", 2020, chapters 3, 4, 6.
  *
@@ -50,8 +55,9 @@
 #include "vtkEvolvingSurfacesFiltersModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <memory> // For std::unique_ptr
-#include <vector> // For the published iterations
+#include <memory>   // For std::unique_ptr
+#include <optional> // For the options of remeshing
+#include <vector>   // For the published iterations
 
 class DistributedInput;
 class EvolutionOutput;
@@ -61,9 +67,8 @@ class vtkPolyData;
 namespace evolving
 {
 class Execution;
-class Remesher;
 struct FlowOptions;
-struct SurfaceMesh;
+struct SurfaceRemeshingOptions;
 }
 
 class VTKEVOLVINGSURFACESFILTERS_EXPORT vtkSurfaceEvolution : public vtkPolyDataAlgorithm
@@ -394,7 +399,8 @@ public:
   ///@{
   /**
    * Memory for the states of the series, in MiB. Above it every second state is dropped and
-   * computed again when asked for. The default is 2048, the range 1 and above.
+   * computed again when asked for; then what they are computed from counts too. The default is
+   * 2048, the range 1 and above.
    */
   vtkSetClampMacro(CacheLimit, int, 1, VTK_INT_MAX);
   vtkGetMacro(CacheLimit, int);
@@ -421,7 +427,7 @@ private:
   void operator=(const vtkSurfaceEvolution&) = delete;
 
   evolving::FlowOptions Options() const;
-  std::shared_ptr<evolving::Remesher> NewElements(const evolving::SurfaceMesh& start) const;
+  std::optional<evolving::SurfaceRemeshingOptions> RemeshingOptions() const;
   std::unique_ptr<EvolutionOutput> Solve(vtkPolyData* input, vtkImageData* field,
     const std::vector<int>& published, const evolving::Execution& execution);
 

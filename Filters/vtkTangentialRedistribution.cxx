@@ -12,7 +12,28 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <vector>
+
 vtkStandardNewMacro(vtkTangentialRedistribution);
+
+namespace
+{
+
+//------------------------------------------------------------------------------
+/// Nor may an element turn over when its points become floats.
+bool FloatsKeepElements(
+  const evolving::SurfaceRedistributionResult& result, const evolving::Execution& execution)
+{
+  evolving::SurfaceMesh rounded = result.mesh;
+  rounded.points = evolving::roundedToFloats(result.mesh.points);
+  const std::vector<char> spoiled = evolving::spoiledElements(
+    rounded, result.mesh.points, result.arrays.normal, 0.0, execution.phase(1.0, 1.0));
+  return evolving::floatsHold(result.mesh) &&
+    std::find(spoiled.begin(), spoiled.end(), 1) == spoiled.end();
+}
+
+} // namespace
 
 //------------------------------------------------------------------------------
 vtkTangentialRedistribution::vtkTangentialRedistribution()
@@ -86,7 +107,14 @@ int vtkTangentialRedistribution::RequestData(
       const evolving::SurfaceRedistributionResult result =
         evolving::redistributeSurface(surface.mesh, this->Options(), execution);
       output->ShallowCopy(input);
-      KernelBridge::MoveWeldedPoints(surface, result.mesh.points, output);
+      const int wanted = KernelBridge::PointType(input);
+      const bool areHeld = wanted == VTK_DOUBLE || FloatsKeepElements(result, execution);
+      KernelBridge::MoveWeldedPoints(
+        surface, result.mesh.points, areHeld ? wanted : VTK_DOUBLE, output);
+      if (!areHeld)
+      {
+        KernelBridge::WarnOfDoubles(this);
+      }
       EvolutionArrays::WriteShapeArrays(KernelBridge::Unweld(surface, result.arrays), output);
     });
 }

@@ -15,6 +15,10 @@
  * in addition: Normals, MeanCurvature, CoVolume, TangentialVelocity, RedistributionPotential, as
  * they are at the end.
  *
+ * Points are of the input's type, float or double. Where floats are so far apart that elements
+ * would lose their shapes (angles by a degree on the average) or turn over, the points are double,
+ * and a warning says so.
+ *
  * M. Cavarga, "Optimal Discretization of 3D Objects by Evolving Surfaces", 2020, section 3.3.
  *
  * @sa vtkSurfaceEvolution

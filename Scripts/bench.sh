@@ -104,6 +104,7 @@ run_all()
   "$programs/SolverChoice"
   "$programs/RedistributionStudy" "${meshes[@]}"
   "$programs/WrapComparison" "${meshes[@]}"
+  "$programs/WrapConstants" --sizes 500 "$scan"
   "$programs/PeerComparison" "$scan"
   "$programs/TimingStudy" "$scan"
   "$programs/ScalingStudy" "$scan" ${dragon_file:+"$dragon_file"}

@@ -5,19 +5,22 @@
 # test.sh             installs what is missing, builds build/release, runs every test but the
 #                     nightly ones
 # test.sh --fast      only the labels kernel, layering and python: for the working loop
-# test.sh --nightly   every test, and the kernel's tests with address and undefined-behaviour
-#                     sanitizers
-# The exit status is CTest's.
+# test.sh --nightly [SEED]
+#                     every test; the tests of the kernel and of the filters with address and
+#                     undefined-behaviour sanitizers, the kernel's parallel ones with the thread
+#                     sanitizer; and an hour of new inputs from SEED on (default: today's date)
+# The exit status is CTest's, or 1 where only what is nightly failed.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 usage()
 {
-  echo "usage: test.sh [--fast | --nightly]" >&2
+  echo "usage: test.sh [--fast | --nightly [SEED]]" >&2
   exit 2
 }
 
-[[ $# -le 1 ]] || usage
+[[ $# -le 1 || ("$1" == --nightly && $# -eq 2) ]] || usage
+[[ "${2:-1}" =~ ^[0-9]{1,18}$ ]] || usage
 case "${1:-}" in
   "") selection=(-LE '^nightly$') ;;
   --fast) selection=(-L '^(kernel|layering|python)$' -LE '^nightly$') ;;
@@ -31,20 +34,42 @@ run_ctest()
     --parallel "$(nproc)" "$@"
 }
 
+# sanitized PRESET TITLE CTEST_ARGUMENT...: builds a preset and runs some of its tests.
+sanitized()
+{
+  echo "== $2"
+  # VTK and Mesa leave memory behind when a program ends.
+  export ASAN_OPTIONS=detect_leaks=0
+  bash Scripts/build.sh "$1"
+  run_ctest --test-dir "build/$1" "${@:3}" || failed+=("$2")
+}
+
+# Inputs that nobody has tried yet, from a seed on.
+run_new_inputs()
+{
+  local seed="${1:-$(date +%Y%m%d)00000}"
+  local title="An hour of inputs from seed $seed on"
+  echo "== $title"
+  build/release/bin/RobustnessRunner --seed "$seed" --count 0 --seconds 3600 || failed+=("$title")
+}
+
 echo "== Packages"
 bash Scripts/install-deps.sh
-sanitized=0
+failed=()
 if [[ "${1:-}" == --nightly ]]; then
-  echo "== Kernel tests with sanitizers"
-  bash Scripts/build.sh sanitize
-  run_ctest --test-dir build/sanitize -L '^kernel$' || sanitized=$?
+  sanitized sanitize "Kernel tests with sanitizers" -L '^kernel$'
+  sanitized tsan "Parallel kernel tests with the thread sanitizer" -L '^kernel$' -R 'Thread'
+  sanitized sanitize-filters "Filter tests with sanitizers" -L '^vtk$' -E '^Images\.'
 fi
 echo "== Build"
 bash Scripts/build.sh release
 echo "== Tests"
 tested=0
 run_ctest --test-dir build/release "${selection[@]}" || tested=$?
-if [[ $sanitized -ne 0 ]]; then
-  echo "The kernel tests with sanitizers failed too, see above." >&2
+if [[ "${1:-}" == --nightly ]]; then
+  run_new_inputs "${2:-}"
 fi
-exit $((tested != 0 ? tested : sanitized))
+for title in "${failed[@]}"; do
+  echo "Failed, see above: $title" >&2
+done
+exit $((tested != 0 ? tested : ${#failed[@]} > 0))

@@ -6,7 +6,11 @@
 #include "Errors.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <exception>
+#include <limits>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -27,6 +31,61 @@ void runSerially(std::int64_t count, const std::function<void(std::int64_t)>& ta
   {
     task(i);
   }
+}
+
+/// The exception of the first task, in the order of their numbers, that throws; tasks may run on
+/// any thread and in any order, so that all before it must run, and those behind it need not.
+class FirstFailure
+{
+public:
+  template <class Task>
+  void run(std::int64_t number, const Task& task)
+  {
+    if (number > this->First.load(std::memory_order_relaxed))
+    {
+      return;
+    }
+    try
+    {
+      task(number);
+    }
+    catch (...)
+    {
+      this->keep(number, std::current_exception());
+    }
+  }
+
+  void rethrow() const
+  {
+    if (this->Failure)
+    {
+      std::rethrow_exception(this->Failure);
+    }
+  }
+
+private:
+  void keep(std::int64_t number, std::exception_ptr failure)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (number < this->First)
+    {
+      this->First = number;
+      this->Failure = std::move(failure);
+    }
+  }
+
+  std::atomic<std::int64_t> First{ std::numeric_limits<std::int64_t>::max() };
+  std::exception_ptr Failure;
+  std::mutex Mutex;
+};
+
+/// As parallelFor, but tasks may throw.
+void runTasks(const Execution::ParallelFor& parallelFor, std::int64_t count,
+  const std::function<void(std::int64_t)>& task)
+{
+  FirstFailure failure;
+  parallelFor(count, [&](std::int64_t number) { failure.run(number, task); });
+  failure.rethrow();
 }
 
 } // namespace
@@ -54,7 +113,7 @@ void Execution::forRange(std::int64_t count, std::int64_t grain, const RangeBody
     }
     return;
   }
-  this->Parallel(chunks,
+  runTasks(this->Parallel, chunks,
     [count, grain, &body](std::int64_t chunk)
     { body(chunk * grain, std::min(count, (chunk + 1) * grain)); });
 }
@@ -71,7 +130,7 @@ void Execution::forRangeReporting(
     this->report(static_cast<double>(done) / static_cast<double>(chunks));
     const std::int64_t end = std::min(chunks, done + batch);
     const auto start = Clock::now();
-    this->Parallel(end - done,
+    runTasks(this->Parallel, end - done,
       [=, &body](std::int64_t task)
       {
         const std::int64_t chunk = done + task;

@@ -5,10 +5,10 @@
  * @file
  * What the kernel needs of its host: threads, progress and a way to stop.
  *
- * The kernel owns no threads and knows no user interface; a host (a VTK filter, a test, a
- * benchmark) hands both in. Results do not depend on the host: loops are cut into chunks of a
- * fixed grain, and sums add the chunks' partial sums in chunk order, so any number of threads
- * in any order gives the same bits.
+ * The kernel owns no threads and knows no user interface; a host (a filter, a test) hands both in.
+ * Loops are cut into chunks of a fixed grain and sums add partial sums in chunk order: any threads
+ * in any order give the same bits. A body may throw: the loop throws, on the calling thread and
+ * when all threads are done, what its first chunk that throws has thrown; later ones may not run.
  */
 
 #ifndef EVOLVING_EXECUTION_H
@@ -30,9 +30,9 @@ public:
   using Progress = std::function<void(double fraction)>;
   /// Asked, from the thread that called the kernel, whether to stop.
   using StopRequest = std::function<bool()>;
-  /// Works on the half-open range [begin, end). Must not throw.
+  /// Works on the half-open range [begin, end).
   using RangeBody = std::function<void(std::int64_t begin, std::int64_t end)>;
-  /// Sums over the half-open range [begin, end). Must not throw.
+  /// Sums over the half-open range [begin, end).
   using RangeSum = std::function<double(std::int64_t begin, std::int64_t end)>;
 
   /// Loops over mesh vertices and faces: small enough to balance, large enough to pay.

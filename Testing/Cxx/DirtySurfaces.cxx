@@ -203,8 +203,8 @@ const std::vector<DirtySurface>& DirtySurfaces()
         return Sample::Make({ { 0, 0, 0 }, { 1, 1, 1 }, { 2, 2, 2 } }, { { 0, 1, 2 } });
       },
       R, X, R, X, R },
-    { "NaN", []() { return WithPoint(vtkMath::Nan()); }, X, X, X, X, X },
-    { "Infinity", []() { return WithPoint(vtkMath::Inf()); }, X, X, X, X, X },
+    { "NaN", []() { return WithPoint(vtkMath::Nan()); }, X, X, X, R, X },
+    { "Infinity", []() { return WithPoint(vtkMath::Inf()); }, X, X, X, R, X },
     { "IdTooLarge",
       []() {
         return WithPolygon({ 0, 1, 162 });
@@ -225,7 +225,7 @@ const std::vector<DirtySurface>& DirtySurfaces()
       []() {
         return WithPolygon({ 0, 1 });
       },
-      X, X, X, X, X },
+      X, X, X, R, X },
   };
   return all;
 }

@@ -4,6 +4,7 @@
 // vtkIcosphereSource: counts, places, types and orientation of the start surfaces.
 
 #include "DataChecks.h"
+#include "EventLog.h"
 #include "SurfaceMeasures.h"
 
 #include "vtkIcosphereSource.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace
 {
@@ -94,6 +96,27 @@ TEST(IcosphereSource, QuadShapesFollowTheResolution)
       EXPECT_EQ(source->GetOutput()->GetMaxCellSize(), 4);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+TEST(IcosphereSource, PointsThatFallTogetherAreRefused)
+{
+  // At a million single precision has steps of 1/16: edges of 1/30 are lost, in double they are
+  // not.
+  vtkNew<vtkIcosphereSource> source;
+  EventLog log(source);
+  source->SetLevel(5);
+  source->SetCenter(1e6, 0.0, 0.0);
+  source->Update();
+  ASSERT_EQ(log.Errors.size(), 1u);
+  EXPECT_TRUE(IsOneSentence(log.Errors.front()));
+  EXPECT_NE(log.Errors.front().find("OutputPointsPrecision"), std::string::npos);
+  EXPECT_TRUE(IsInitialized(source->GetOutput()));
+  log.Clear();
+  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  source->Update();
+  EXPECT_TRUE(log.Errors.empty());
+  EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 10242);
 }
 
 //------------------------------------------------------------------------------

@@ -87,6 +87,36 @@ TEST(MeshSDFGrid, UnusableModelBoundsAreRefused)
 }
 
 //------------------------------------------------------------------------------
+TEST(MeshSDFGrid, OnlyABoxInvertedAlongAllAxesIsAutomatic)
+{
+  vtkNew<vtkMeshSDF> filter;
+  EventLog log(filter);
+  filter->SetInputData(Sample::Icosphere(1));
+  filter->SetSampleDimensions(8, 8, 8);
+  for (int inverted = 1; inverted < 8; ++inverted)
+  {
+    log.Clear();
+    double ends[6];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double sign = (inverted >> axis & 1) ? -1.0 : 1.0;
+      ends[2 * axis] = -2.0 * sign;
+      ends[2 * axis + 1] = 2.0 * sign;
+    }
+    filter->SetModelBounds(ends);
+    filter->Update();
+    const bool isAutomatic = inverted == 7;
+    ASSERT_EQ(log.Errors.size(), isAutomatic ? 0u : 1u) << "axes " << inverted;
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), isAutomatic ? 512 : 0);
+    if (!isAutomatic)
+    {
+      EXPECT_TRUE(IsOneSentence(log.Errors.front()));
+      EXPECT_NE(log.Errors.front().find("ModelBounds"), std::string::npos);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(MeshSDFGrid, SweepsNeedCubicCells)
 {
   vtkNew<vtkMeshSDF> filter;

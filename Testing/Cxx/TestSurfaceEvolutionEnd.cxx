@@ -8,9 +8,12 @@
 #include "FlowSetups.h"
 #include "SampleSurfaces.h"
 
+#include "vtkCellArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkSurfaceEvolution.h"
 #include "vtkTable.h"
 
@@ -65,6 +68,62 @@ TEST(SurfaceEvolutionEnd, ConvergenceEndsTheRunButNotTheTimes)
   EXPECT_LT(rows, 200);
   EXPECT_EQ(FieldValue(filter->GetOutput(), "Iteration"), static_cast<double>(rows) - 1.0);
   EXPECT_LT(FieldValue(filter->GetOutput(), "MaxDistance"), 0.02);
+}
+
+//------------------------------------------------------------------------------
+/// A triangle of three points.
+vtkSmartPointer<vtkPolyData> Triangle(const double corners[3][3])
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> polygons;
+  polygons->InsertNextCell(3);
+  for (int k = 0; k < 3; ++k)
+  {
+    polygons->InsertCellPoint(points->InsertNextPoint(corners[k]));
+  }
+  auto triangle = vtkSmartPointer<vtkPolyData>::New();
+  triangle->SetPoints(points);
+  triangle->SetPolys(polygons);
+  return triangle;
+}
+
+//------------------------------------------------------------------------------
+TEST(SurfaceEvolutionEnd, FacesWithoutAreaAreRefusedWithRemeshingToo)
+{
+  const double twice[3][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0, 0 } };
+  const double inLine[3][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } };
+  for (const auto& corners : { twice, inLine })
+  {
+    for (int remeshing = 0; remeshing <= 2; ++remeshing)
+    {
+      vtkNew<vtkSurfaceEvolution> filter;
+      EventLog log(filter);
+      filter->SetInputData(Triangle(corners));
+      filter->SetRemeshing(remeshing);
+      filter->SetNumberOfSteps(2);
+      filter->Update();
+      ASSERT_EQ(log.Errors.size(), 1u);
+      EXPECT_TRUE(IsOneSentence(log.Errors.front()));
+      EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(SurfaceEvolutionEnd, ANeedleHasFewPoints)
+{
+  for (const double width : { 1e-6, 1e-14 })
+  {
+    const double corners[3][3] = { { 0, 0, 0 }, { width, 0, 0 }, { 0, 0.1, 0 } };
+    vtkNew<vtkSurfaceEvolution> filter;
+    filter->SetInputData(Triangle(corners));
+    filter->SetRemeshingToUniform();
+    filter->SetNumberOfSteps(1);
+    filter->Update();
+    EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 3);
+    EXPECT_LT(filter->GetOutput()->GetNumberOfPoints(), 2000);
+  }
 }
 
 } // namespace

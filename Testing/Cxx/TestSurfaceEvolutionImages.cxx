@@ -162,4 +162,25 @@ TEST(FieldImage, ValuesThatAreNoDistancesStopTheRun)
   EXPECT_EQ(FieldValue(filter->GetOutput(), "Iteration"), 0.0);
 }
 
+//------------------------------------------------------------------------------
+TEST(FieldImage, AShearIsRefusedWithItsMatrix)
+{
+  const Image image = Sample::SphereImage(9, 2.0, 1.0);
+  image->SetDirectionMatrix(1, 0.25, 0, 0, 1, 0, 0, 0, 1);
+  vtkNew<vtkSurfaceEvolution> filter;
+  ExpectSentence(filter, image, "direction matrix");
+}
+
+//------------------------------------------------------------------------------
+TEST(FieldImage, SpacingsThatAreNotPositiveAreRefusedWithTheWayOut)
+{
+  for (const double spacing : { 0.0, -0.1 })
+  {
+    const Image image = Sample::SphereImage(9, 2.0, 1.0);
+    image->SetSpacing(0.1, 0.1, spacing);
+    vtkNew<vtkSurfaceEvolution> filter;
+    ExpectSentence(filter, image, "flip it by its direction matrix");
+  }
+}
+
 } // namespace

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <cstdint>
 #include <mutex>
+#include <new>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -90,6 +92,88 @@ TEST(Execution, SumsHaveTheSameBitsForAnyThreadsAndOrder)
     }
   }
   EXPECT_NE(harmonicSum(0, Count), serial) << "the order of summation does not matter here";
+}
+
+/// Throws in the chunks that begin at one of the numbers.
+Execution::RangeBody throwingAt(const std::vector<std::int64_t>& begins)
+{
+  return [begins](std::int64_t begin, std::int64_t)
+  {
+    if (std::find(begins.begin(), begins.end(), begin) != begins.end())
+    {
+      throw InputError(std::to_string(begin));
+    }
+  };
+}
+
+/// What the loop throws: the message of an InputError, otherwise nothing.
+template <typename Loop>
+std::string thrownBy(const Loop& loop)
+{
+  try
+  {
+    loop();
+  }
+  catch (const InputError& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Execution, LoopsThrowWhatTheirFirstFailingChunkThrew)
+{
+  for (const int threads : { 1, 2, 8 })
+  {
+    for (const unsigned seed : { 1U, 2U, 3U })
+    {
+      const Execution execution = threadedExecution(threads, seed);
+      for (const std::vector<std::int64_t>& failing : std::vector<std::vector<std::int64_t>>{
+             { 0 }, { 990 }, { 500, 510, 640, 20, 980 }, { 30, 40, 50, 60, 70 } })
+      {
+        const auto body = throwingAt(failing);
+        const std::string first = std::to_string(*std::min_element(failing.begin(), failing.end()));
+        EXPECT_EQ(thrownBy([&] { execution.forRange(1000, Grain, body); }), first);
+        EXPECT_EQ(thrownBy([&] { execution.forRangeReporting(1000, Grain, body); }), first);
+        EXPECT_EQ(thrownBy(
+                    [&]
+                    {
+                      execution.sumRange(1000, Grain,
+                        [&](std::int64_t begin, std::int64_t end)
+                        {
+                          body(begin, end);
+                          return 1.0;
+                        });
+                    }),
+          first);
+      }
+    }
+  }
+}
+
+TEST(Execution, LoopsWorkAgainAfterOneThatThrew)
+{
+  const Execution execution = threadedExecution(8, 1);
+  EXPECT_THROW(execution.forRange(1000, Grain, throwingAt({ 0, 500 })), InputError);
+  EXPECT_EQ(
+    sortedChunks([&](const Execution::RangeBody& body) { execution.forRange(1000, Grain, body); }),
+    expectedChunks(1000));
+}
+
+TEST(Execution, ChunksBehindAFailureAreSkipped)
+{
+  std::int64_t calls = 0;
+  EXPECT_THROW(Execution().forRange(1000, Grain,
+                 [&](std::int64_t begin, std::int64_t)
+                 {
+                   ++calls;
+                   if (begin == 50)
+                   {
+                     throw std::bad_alloc();
+                   }
+                 }),
+    std::bad_alloc);
+  EXPECT_EQ(calls, 6);
 }
 
 TEST(Execution, SumOfNothingIsZero)

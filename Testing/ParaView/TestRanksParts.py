@@ -6,7 +6,8 @@ import numpy
 import paraview.simple as pv
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkClipPolyData
 
 import evolvingsurfaces as es
 import ranks
@@ -183,6 +184,28 @@ def check_change_on_one_rank(bunny):
     check("a part that changes", not numpy.array_equal(before, after))
 
 
+def check_another_port(bunny):
+    """A producer with two outputs: the parts of the other one are gathered too."""
+    halves = vtkClipPolyData()
+    halves.SetInputData(own_part(bunny, list(range(RANKS))))
+    plane = vtkPlane()
+    plane.SetOrigin(bunny.GetCenter())
+    halves.SetClipFunction(plane)
+    halves.GenerateClippedOutputOn()
+
+    def update(filter_, port):
+        filter_.SetInputConnection(halves.GetOutputPort(port))
+        filter_.SetSampleDimensions(*SIZE)
+        filter_.SetModelBounds(bunny.GetBounds())
+        filter_.UpdatePiece(RANK, RANKS, 0)
+        return ranks.values(filter_.GetOutput(), "SignedDistance").copy()
+
+    kept = es.vtkMeshSDF()
+    for port in (0, 1, 0):
+        same = numpy.array_equal(update(kept, port), update(es.vtkMeshSDF(), port))
+        check(f"port {port} of a producer", same)
+
+
 def main():
     ranks.load_plugin(globals())
     bunny = ranks.read_bunny()
@@ -200,6 +223,7 @@ def main():
     check_surface_filters()
     check_executing_alone(bunny)
     check_change_on_one_rank(bunny)
+    check_another_port(bunny)
     print(f"rank {RANK}: all passed", flush=True)
 
 

@@ -20,7 +20,7 @@
 namespace evolving
 {
 
-/// Called with a sample's number in the grid's arrays and its position; must not throw.
+/// Called with a sample's number in the grid's arrays and its position.
 using SampleVisit = std::function<void(GridIndex sample, const Vec3& point)>;
 
 /**

@@ -4,6 +4,7 @@
 #include "Distance/DistanceGrid.h"
 
 #include "Errors.h"
+#include "ParameterRange.h"
 
 #include <algorithm>
 #include <cmath>
@@ -99,6 +100,7 @@ DistanceGrid DistanceGrid::part(const Extent& partExtent) const
 DistanceGrid gridAround(const Box& box, const std::array<int, 3>& dimensions, double padding)
 {
   requirePositive(dimensions);
+  checkRange("Padding", padding, 0.0, AnyNumber, "0 means none");
   const Vec3 center = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center());
   const Vec3 sides = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.sizes());
   const Vec3 padded = sides + Vec3::Constant(2.0 * padding * sides.maxCoeff());
@@ -122,9 +124,11 @@ DistanceGrid gridOver(const Box& box, const std::array<int, 3>& dimensions)
     if (!(side >= 0.0) || !std::isfinite(side) || (cells > 0 && side == 0.0))
     {
       std::ostringstream message;
-      message << "The grid's box goes from " << box.min()[axis] << " to " << box.max()[axis]
-              << " along axis " << axis << " with " << cells + 1
-              << " samples, expected a positive length; correct the bounds.";
+      message << "ModelBounds goes from " << box.min()[axis] << " to " << box.max()[axis]
+              << " along "
+              << "xyz"[axis] << " with " << cells + 1
+              << " samples, expected a positive length; correct it, or set 1 -1 1 -1 1 -1 for an "
+                 "automatic box.";
       throw InputError(message.str());
     }
     grid.origin[axis] = cells > 0 ? box.min()[axis] : box.center()[axis];

@@ -5,12 +5,14 @@
 
 #include "Distance/FloatRange.h"
 #include "Errors.h"
+#include "Mesh/PointWelding.h"
 #include "Mesh/PolygonTriangulation.h"
 
 #include <algorithm>
 #include <array>
 #include <numeric>
 #include <sstream>
+#include <utility>
 
 namespace evolving
 {
@@ -18,16 +20,15 @@ namespace evolving
 namespace
 {
 
-/// The numbers 0 ... count - 1 without those whose key is that of a smaller number, ascending.
-template <typename Key>
-std::vector<Index> firstOfEqual(std::size_t count, const Key& key)
+/// The numbers of the corner triples that no smaller number has, ascending.
+std::vector<Index> firstOfEqual(const std::vector<std::array<Index, 3>>& corners)
 {
-  std::vector<Index> order(count);
+  std::vector<Index> order(corners.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(
-    order.begin(), order.end(), [&key](Index a, Index b) { return key(a) < key(b); });
-  order.erase(
-    std::unique(order.begin(), order.end(), [&key](Index a, Index b) { return key(a) == key(b); }),
+  std::stable_sort(order.begin(), order.end(),
+    [&corners](Index a, Index b) { return corners[at(a)] < corners[at(b)]; });
+  order.erase(std::unique(order.begin(), order.end(),
+                [&corners](Index a, Index b) { return corners[at(a)] == corners[at(b)]; }),
     order.end());
   std::sort(order.begin(), order.end());
   return order;
@@ -37,16 +38,17 @@ DistanceTarget targetOfPoints(const SurfaceMesh& mesh)
 {
   DistanceTarget target;
   target.isPointSet = true;
-  target.oldNumber = firstOfEqual(mesh.points.size(),
-    [&mesh](Index i)
-    {
-      const Vec3& point = mesh.points[at(i)];
-      return std::array<double, 3>{ point.x(), point.y(), point.z() };
-    });
-  for (const Index old : target.oldNumber)
+  std::vector<Index> all(mesh.points.size());
+  std::iota(all.begin(), all.end(), 0);
+  const std::vector<Index> first = firstOfEqualPoints(mesh.points, std::move(all));
+  for (Index old = 0; old < mesh.vertexCount(); ++old)
   {
-    const Index point = target.mesh.addPoint(mesh.points[at(old)]);
-    target.mesh.addFace({ point, point, point });
+    if (first[at(old)] == old)
+    {
+      const Index point = target.mesh.addPoint(mesh.points[at(old)]);
+      target.mesh.addFace({ point, point, point });
+      target.oldNumber.push_back(old);
+    }
   }
   return target;
 }
@@ -61,8 +63,7 @@ void dropDuplicates(SurfaceMesh& mesh, std::vector<Index>& oldFace)
       mesh.faceVertex(face, 2) };
     std::sort(corners[at(face)].begin(), corners[at(face)].end());
   }
-  const std::vector<Index> kept = firstOfEqual(
-    corners.size(), [&corners](Index face) -> const auto& { return corners[at(face)]; });
+  const std::vector<Index> kept = firstOfEqual(corners);
   if (kept.size() == corners.size())
   {
     return;
@@ -96,7 +97,7 @@ SurfaceMesh uniqueTriangles(
     throw InputError(message.str());
   }
   execution.report(0.4);
-  SurfaceMesh triangles = triangulate(welded, oldFace);
+  SurfaceMesh triangles = triangulate(welded, oldFace, execution.phase(0.4, 0.5));
   for (Index& face : oldFace)
   {
     face = oldOfWelded[at(face)];

@@ -223,10 +223,15 @@ private:
 
   void clampToBand(std::vector<float>& distance) const
   {
-    const auto band = static_cast<float>(this->Options.bandWidth * this->Whole.spacing.minCoeff());
-    for (std::size_t s = 0; band > 0.0F && s < distance.size(); ++s)
+    if (this->Options.bandWidth == 0.0)
     {
-      distance[s] = std::clamp(distance[s], -band, band);
+      return;
+    }
+    // A float of 0 where the band is narrower than floats are: it has no sample all the same.
+    const auto band = static_cast<float>(this->Options.bandWidth * this->Whole.spacing.minCoeff());
+    for (float& value : distance)
+    {
+      value = std::clamp(value, -band, band);
     }
   }
 

@@ -42,8 +42,8 @@ struct SignedDistanceResult
 SignedDistanceResult signedDistance(const SurfaceMesh& mesh, const DistanceGrid& grid,
   const Extent& part, const SignedDistanceOptions& options, const Execution& execution = {});
 
-/// Bytes that a sample of the computed part takes at most, beyond the mesh: while it is computed,
-/// and once more for the copy of its result.
+/// The most bytes that a sample of the computed part takes, beyond the mesh: all its values while
+/// it is computed, and the copy of those that are handed out.
 int peakBytesPerSample(const SignedDistanceOptions& options);
 
 /// Can `part` be computed without the rest of the grid? Not with sweeps or flood fill.

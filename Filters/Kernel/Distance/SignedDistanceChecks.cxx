@@ -4,8 +4,8 @@
 #include "Distance/SignedDistanceChecks.h"
 
 #include "Errors.h"
+#include "ParameterRange.h"
 
-#include <cmath>
 #include <sstream>
 
 namespace evolving
@@ -14,22 +14,9 @@ namespace evolving
 void requireUsable(const SignedDistanceOptions& options)
 {
   constexpr double LargestSigma = 1000.0;
-  if (!(options.bandWidth >= 0.0) || !std::isfinite(options.bandWidth) ||
-    !(options.smoothingSigma >= 0.0 && options.smoothingSigma <= LargestSigma))
-  {
-    std::ostringstream message;
-    message << "BandWidth is " << options.bandWidth << " and SmoothingSigma is "
-            << options.smoothingSigma << " cells, expected numbers from 0 on, the latter up to "
-            << LargestSigma << ".";
-    throw InputError(message.str());
-  }
-  if (options.numberOfSweeps < 0)
-  {
-    std::ostringstream message;
-    message << "NumberOfSweeps is " << options.numberOfSweeps
-            << ", expected 0 or more; 8 reach every sample.";
-    throw InputError(message.str());
-  }
+  checkRange("BandWidth", options.bandWidth, 0.0, AnyNumber, "0 means the whole grid");
+  checkRange("SmoothingSigma", options.smoothingSigma, 0.0, LargestSigma, "0 means no smoothing");
+  checkRange("NumberOfSweeps", options.numberOfSweeps, 0.0, AnyNumber, "8 reach every sample");
 }
 
 void requireUsable(const DistanceGrid& grid, const Extent& part)

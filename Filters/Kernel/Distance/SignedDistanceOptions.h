@@ -35,9 +35,9 @@ struct SignedDistanceOptions
   double bandWidth = 0.0;      ///< in cells; 0 = the whole grid; beyond it the value is +-band
   double smoothingSigma = 0.0; ///< of a Gaussian, in cells; 0 = none
   int numberOfSweeps = 8;      ///< FastSweeping only
-  bool closestPoint = false;   ///< fill DistanceResult::closestPoint
-  bool closestFace = false;    ///< fill DistanceResult::closestFace
-  bool gradient = false;       ///< fill DistanceResult::gradient
+  bool closestPoint = false;   ///< fill SignedDistanceResult::closestPoint
+  bool closestFace = false;    ///< fill SignedDistanceResult::closestFace
+  bool gradient = false;       ///< fill SignedDistanceResult::gradient
 };
 
 } // namespace evolving

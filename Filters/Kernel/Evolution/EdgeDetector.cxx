@@ -30,7 +30,7 @@ ScalarImage edgeDetector(const ScalarImage& image, double sharpness, const Execu
         }
       }
     });
-  return ScalarImage(grid, std::move(e));
+  return ScalarImage(grid, std::move(e), image.axes());
 }
 
 ScalarImage::Sample sampleEdgeDetector(const ScalarImage& e, const Vec3& point)
@@ -38,16 +38,18 @@ ScalarImage::Sample sampleEdgeDetector(const ScalarImage& e, const Vec3& point)
   const DistanceGrid& grid = e.grid();
   const Vec3 low = grid.point(grid.extent[0], grid.extent[2], grid.extent[4]);
   const Vec3 high = grid.point(grid.extent[1], grid.extent[3], grid.extent[5]);
-  const Vec3 closest = point.cwiseMax(low).cwiseMin(high);
-  ScalarImage::Sample sample = e.at(closest);
+  const Vec3 own = e.axes().pointFromWorld(point);
+  const Vec3 closest = own.cwiseMax(low).cwiseMin(high);
+  ScalarImage::Sample sample = e.atOwnPoint(closest);
   for (Eigen::Index axis = 0; axis < 3; ++axis)
   {
     // An axis of one sample has no outside.
-    if (low[axis] != high[axis] && closest[axis] != point[axis])
+    if (low[axis] != high[axis] && closest[axis] != own[axis])
     {
       sample.gradient.setZero();
     }
   }
+  sample.gradient = e.axes().vectorToWorld(sample.gradient);
   return sample;
 }
 

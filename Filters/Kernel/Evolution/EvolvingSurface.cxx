@@ -33,6 +33,19 @@ void EvolvingSurface::setElements(
   this->HasVelocities = false;
 }
 
+StateArrays EvolvingSurface::measuredArrays(
+  const std::vector<Vec3>& points, const Execution& execution) const
+{
+  SurfaceMesh mesh = this->mesh();
+  mesh.points = points;
+  FiniteVolumes volumes = this->Motion->geometry().volumes();
+  volumes.update(mesh, execution);
+  StateArrays arrays;
+  arrays.coVolume = volumes.coVolumes();
+  arrays.distance = this->Field->valuesAt(points, execution);
+  return arrays;
+}
+
 void EvolvingSurface::setPlace(const SurfacePlace& place, const Execution& execution)
 {
   if (place.origin != this->Origin && !(*place.origin == *this->Origin))
@@ -82,11 +95,11 @@ void EvolvingSurface::move(int iteration, int parts, const Execution& execution)
   }
 }
 
-void EvolvingSurface::remesh(bool isLast, const Execution& execution)
+bool EvolvingSurface::remesh(bool isLast, const Execution& execution)
 {
   if (!this->NewElements)
   {
-    return;
+    return false;
   }
   const std::vector<double> distance =
     this->Field->valuesAt(this->mesh().points, execution.phase(0.0, 0.1));
@@ -94,7 +107,7 @@ void EvolvingSurface::remesh(bool isLast, const Execution& execution)
     { this->mesh(), this->Origin->points, distance, isLast }, execution.phase(0.1, 0.8));
   if (!remeshed)
   {
-    return;
+    return false;
   }
   try
   {
@@ -108,6 +121,7 @@ void EvolvingSurface::remesh(bool isLast, const Execution& execution)
       std::string("remeshing made no surface that can be evolved: ") + error.what());
   }
   this->Guard.require(this->mesh(), execution.phase(0.9, 1.0));
+  return true;
 }
 
 } // namespace evolving

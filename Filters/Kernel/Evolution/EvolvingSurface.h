@@ -32,7 +32,7 @@ struct SurfacePlace
 /**
  * Owns the motion of the current elements, and replaces it when they change: reference normals,
  * boundary curves and components are those of the new surface, and the solvers start afresh.
- * What belongs to the run stays: the field, the guard's box and the smallest area that counts.
+ * What belongs to the flow stays: the field, the guard's box and the smallest area that counts.
  */
 class EvolvingSurface
 {
@@ -49,6 +49,8 @@ public:
   const SurfaceMesh& mesh() const { return this->Motion->mesh(); }
   /// Of the last evaluation.
   StateArrays arrays() const { return this->Motion->arrays(); }
+  /// The arrays that measureState() reads, with the points elsewhere.
+  StateArrays measuredArrays(const std::vector<Vec3>& points, const Execution& execution) const;
 
   SurfacePlace place() const { return { this->Origin, this->Motion->position() }; }
   void setPlace(const SurfacePlace& place, const Execution& execution);
@@ -60,10 +62,11 @@ public:
   /**
    * Asks the remesher, if there is one, for new elements.
    * @param isLast the flow ends here
+   * @return whether it gave any
    * @throws SolverError when they make no surface that can be evolved
-   * @throws Cancelled
+   * @throws what the remesher throws
    */
-  void remesh(bool isLast, const Execution& execution);
+  bool remesh(bool isLast, const Execution& execution);
 
   /// Since the last reset.
   int solverIterations() const { return this->SolverIterations; }

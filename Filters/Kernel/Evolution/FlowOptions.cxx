@@ -5,49 +5,34 @@
 
 #include "ParameterRange.h"
 
-#include <tuple>
-
 namespace evolving
 {
 
-namespace
-{
-
-auto members(const FlowOptions& o)
-{
-  return std::tie(o.timeStep, o.numberOfSteps, o.curvatureSpeed, o.curvatureRange, o.advectionSpeed,
-    o.advectionBalance, o.relativeUnits, o.fieldMode, o.edgeSharpness, o.unsignedField,
-    o.redistribution, o.smoothingSteps, o.smoothingSpeed, o.smoothingDecay, o.boundaryMode,
-    o.surfaceGuard, o.convergenceTolerance, o.stallSteps, o.longestAdvection, o.remeshingInterval,
-    o.solverTolerance);
-}
-
-} // namespace
-
 bool operator==(const FlowOptions& a, const FlowOptions& b)
 {
-  return members(a) == members(b);
+  return membersOf(a) == membersOf(b);
 }
 
 void checkOptions(const FlowOptions& options)
 {
-  checkRange("The time step", options.timeStep, AboveZero, AnyNumber);
-  checkRange("The number of steps", options.numberOfSteps, 0.0, AnyNumber);
-  checkRange("The curvature speed", options.curvatureSpeed, 0.0, AnyNumber);
-  checkRange("The curvature range", options.curvatureRange, AboveZero, AnyNumber);
-  checkRange("The advection speed", options.advectionSpeed, 0.0, AnyNumber);
-  checkRange("The advection balance", options.advectionBalance, 0.0, 1.0);
-  checkRange("The edge sharpness", options.edgeSharpness, 0.0, AnyNumber);
-  checkRange("The number of smoothing steps", options.smoothingSteps, 0.0, AnyNumber);
-  checkRange("The smoothing speed", options.smoothingSpeed, 0.0, AnyNumber);
-  checkRange("The smoothing decay", options.smoothingDecay, 0.0, AnyNumber);
-  checkRange("The surface guard", options.surfaceGuard, 1.0, AnyNumber);
-  checkRange("The convergence tolerance", options.convergenceTolerance, 0.0, AnyNumber);
-  checkRange("The longest advection", options.longestAdvection, 0.0, AnyNumber);
-  checkRange("The number of steps to a stall", options.stallSteps, 0.0, AnyNumber);
-  checkRange("The remeshing interval", options.remeshingInterval, 1.0, AnyNumber);
-  checkRange("The solver tolerance", options.solverTolerance, AboveZero, 0.1);
-  checkOptions(options.redistribution);
+  const FlowOptions& o = options;
+  checkRange("TimeStep", o.timeStep, AboveZero, AnyNumber, "set 0.03 when in doubt");
+  checkRange("NumberOfSteps", o.numberOfSteps, 0.0, AnyNumber, "0 gives the start alone");
+  checkRange("CurvatureSpeed", o.curvatureSpeed, 0.0, AnyNumber, "0 switches this term off");
+  checkRange("CurvatureRange", o.curvatureRange, AboveZero, AnyNumber, "set 0.1 when in doubt");
+  checkRange("AdvectionSpeed", o.advectionSpeed, 0.0, AnyNumber, "0 switches this term off");
+  checkRange("AdvectionBalance", o.advectionBalance, 0.0, 1.0, "0 switches this term off");
+  checkRange("EdgeSharpness", o.edgeSharpness, 0.0, AnyNumber, "0 takes the image as it is");
+  checkRange("SmoothingSteps", o.smoothingSteps, 0.0, AnyNumber, "0 switches smoothing off");
+  checkRange("SmoothingSpeed", o.smoothingSpeed, 0.0, AnyNumber, "set 0.001 when in doubt");
+  checkRange("SmoothingDecay", o.smoothingDecay, 0.0, AnyNumber, "0 keeps the speed as it is");
+  checkRange("SurfaceGuard", o.surfaceGuard, 1.0, AnyNumber, "set 2 when in doubt");
+  checkRange("ConvergenceTolerance", o.convergenceTolerance, 0.0, AnyNumber, "0 runs all steps");
+  checkRange("LongestAdvection", o.longestAdvection, 0.0, AnyNumber, "0 sets no limit");
+  checkRange("StallSteps", o.stallSteps, 0.0, AnyNumber, "0 sets no limit");
+  checkRange("RemeshingInterval", o.remeshingInterval, 1.0, AnyNumber, "1 means every step");
+  checkRange("SolverTolerance", o.solverTolerance, AboveZero, 0.1, "set 1e-10 when in doubt");
+  checkOptions(o.redistribution);
 }
 
 FlowOptions inAbsoluteUnits(const FlowOptions& options, double lengthUnit)

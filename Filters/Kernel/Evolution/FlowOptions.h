@@ -11,6 +11,8 @@
 
 #include "Redistribution/RedistributionOptions.h"
 
+#include <tuple>
+
 namespace evolving
 {
 
@@ -38,19 +40,35 @@ struct FlowOptions
   double smoothingSpeed = 0.0; ///< S0
   double smoothingDecay = 0.0; ///< lambda, per smoothing step
   BoundaryMode boundaryMode = BoundaryMode::Fixed;
-  double surfaceGuard = 2.0;         ///< of the box of start and field; leaving it ends a run
+  double surfaceGuard = 2.0;         ///< of the box of start and field; leaving it ends the flow
   double convergenceTolerance = 0.0; ///< fraction of L; 0 = run all steps
   int stallSteps = 0; ///< without getting nearer to the target, see StallTest; 0 = any number
   double longestAdvection = 0.0; ///< of a vertex in a step, in its mean edge lengths; 0 = any
   int remeshingInterval = 1;     ///< steps from remeshing to remeshing, with a remesher
   double solverTolerance = 1e-10;
 
+  int totalSteps() const { return this->numberOfSteps + this->smoothingSteps; }
   /// Is the step after that iteration one of the smoothing steps?
   bool isSmoothing(int iteration) const
   {
     return this->smoothingSteps > 0 && iteration >= this->numberOfSteps;
   }
+  bool isRemeshingDue(int iteration) const { return iteration % this->remeshingInterval == 0; }
 };
+
+/// All of them: a new one does not compile before it is listed here.
+inline auto membersOf(const FlowOptions& options)
+{
+  const auto& [timeStep, numberOfSteps, curvatureSpeed, curvatureRange, advectionSpeed,
+    advectionBalance, relativeUnits, fieldMode, edgeSharpness, unsignedField, redistribution,
+    smoothingSteps, smoothingSpeed, smoothingDecay, boundaryMode, surfaceGuard,
+    convergenceTolerance, stallSteps, longestAdvection, remeshingInterval, solverTolerance] =
+    options;
+  return std::tie(timeStep, numberOfSteps, curvatureSpeed, curvatureRange, advectionSpeed,
+    advectionBalance, relativeUnits, fieldMode, edgeSharpness, unsignedField, redistribution,
+    smoothingSteps, smoothingSpeed, smoothingDecay, boundaryMode, surfaceGuard,
+    convergenceTolerance, stallSteps, longestAdvection, remeshingInterval, solverTolerance);
+}
 
 bool operator==(const FlowOptions& a, const FlowOptions& b);
 

@@ -110,7 +110,9 @@ void checkGrid(const DistanceGrid& grid, std::size_t valueCount)
     std::ostringstream message;
     message << "The image has " << grid.dimension(0) << " x " << grid.dimension(1) << " x "
             << grid.dimension(2) << " samples with spacing (" << grid.spacing.transpose()
-            << "), expected at least one sample along each axis and positive spacings.";
+            << ") from (" << grid.origin.transpose()
+            << "), expected at least one sample along each axis, positive spacings and a finite "
+               "origin; resample it, or flip it by its direction matrix.";
     throw InputError(message.str());
   }
   if (static_cast<GridIndex>(valueCount) != grid.sampleCount())
@@ -138,8 +140,9 @@ void checkFinite(const std::vector<float>& values)
 
 } // namespace
 
-ScalarImage::ScalarImage(const DistanceGrid& grid, std::vector<float> values)
+ScalarImage::ScalarImage(const DistanceGrid& grid, std::vector<float> values, const ImageAxes& axes)
   : Grid(grid)
+  , Axes(axes)
   , Values(std::move(values))
 {
   checkGrid(this->Grid, this->Values.size());
@@ -147,6 +150,13 @@ ScalarImage::ScalarImage(const DistanceGrid& grid, std::vector<float> values)
 }
 
 ScalarImage::Sample ScalarImage::at(const Vec3& point) const
+{
+  Sample sample = this->atOwnPoint(this->Axes.pointFromWorld(point));
+  sample.gradient = this->Axes.vectorToWorld(sample.gradient);
+  return sample;
+}
+
+ScalarImage::Sample ScalarImage::atOwnPoint(const Vec3& point) const
 {
   const Samples samples(this->Grid, this->Values);
   std::array<AxisPosition, 3> along;
@@ -179,13 +189,14 @@ ScalarImage::Sample ScalarImage::at(const Vec3& point) const
 
 Vec3 ScalarImage::gradientAtSample(int i, int j, int k) const
 {
-  return Samples(this->Grid, this->Values).gradient({ i, j, k });
+  return this->Axes.vectorToWorld(Samples(this->Grid, this->Values).gradient({ i, j, k }));
 }
 
 Box ScalarImage::box() const
 {
   const Extent& e = this->Grid.extent;
-  return Box(this->Grid.point(e[0], e[2], e[4]), this->Grid.point(e[1], e[3], e[5]));
+  return this->Axes.boxInWorld(
+    Box(this->Grid.point(e[0], e[2], e[4]), this->Grid.point(e[1], e[3], e[5])));
 }
 
 Box ScalarImage::insideBox() const

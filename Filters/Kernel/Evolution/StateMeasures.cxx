@@ -28,4 +28,15 @@ void measureState(const SurfaceMesh& mesh, const Vec3& center, const StateArrays
   }
 }
 
+double farthestNormalMove(
+  const std::vector<Vec3>& before, const std::vector<Vec3>& after, const std::vector<Vec3>& normals)
+{
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < before.size(); ++i)
+  {
+    farthest = std::max(farthest, std::abs((after[i] - before[i]).dot(normals[i])));
+  }
+  return farthest;
+}
+
 } // namespace evolving

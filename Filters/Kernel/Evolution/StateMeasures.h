@@ -25,6 +25,10 @@ namespace evolving
 void measureState(const SurfaceMesh& mesh, const Vec3& center, const StateArrays& arrays,
   FlowRecord& record, const Execution& execution);
 
+/// How far the vertex that moved farthest along its normal did. @param normals one per vertex
+double farthestNormalMove(const std::vector<Vec3>& before, const std::vector<Vec3>& after,
+  const std::vector<Vec3>& normals);
+
 } // namespace evolving
 
 #endif

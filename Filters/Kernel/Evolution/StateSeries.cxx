@@ -3,51 +3,14 @@
 
 #include "Evolution/StateSeries.h"
 
+#include "Evolution/StepFailure.h"
+
 #include <algorithm>
+#include <new>
 #include <utility>
 
 namespace evolving
 {
-
-namespace
-{
-
-/// Without its origin, which it shares.
-std::size_t bytesOf(const FlowState& state)
-{
-  const StateArrays& arrays = state.arrays;
-  const std::size_t vectors = state.points.size() + arrays.distanceGradient.size() +
-    arrays.normal.size() + arrays.tangentialVelocity.size();
-  const std::size_t scalars = state.curvePositions.size() + arrays.distance.size() +
-    arrays.meanCurvature.size() + arrays.coVolume.size() + arrays.normalVelocity.size() +
-    arrays.redistributionPotential.size();
-  return vectors * sizeof(Vec3) + scalars * sizeof(double);
-}
-
-std::size_t bytesOf(const SurfaceMesh& mesh)
-{
-  return mesh.points.size() * sizeof(Vec3) +
-    (mesh.faceOffsets.size() + mesh.cornerVertices.size()) * sizeof(Index);
-}
-
-/// States that share an origin follow each other.
-std::size_t bytesOf(const std::vector<std::shared_ptr<const FlowState>>& states)
-{
-  std::size_t bytes = 0;
-  const SurfaceMesh* counted = nullptr;
-  for (const auto& state : states)
-  {
-    if (state)
-    {
-      bytes += bytesOf(*state);
-      bytes += state->origin.get() == counted ? 0 : bytesOf(*state->origin);
-      counted = state->origin.get();
-    }
-  }
-  return bytes;
-}
-
-} // namespace
 
 std::vector<int> publishedIterations(int steps, int smoothingSteps, int interval)
 {
@@ -69,88 +32,102 @@ std::vector<int> publishedIterations(int steps, int smoothingSteps, int interval
 }
 
 StateSeries::StateSeries(MakeFlow makeFlow, std::vector<int> published, std::size_t memoryLimit,
-  const Execution& execution)
+  const Execution& execution, std::size_t flowBytes, const Observe& observe)
   : Make(std::move(makeFlow))
   , Published(std::move(published))
-  , MemoryLimit(memoryLimit)
+  , States(memoryLimit, flowBytes)
 {
   SurfaceFlow flow = this->Make(execution);
+  try
+  {
+    this->run(flow, execution, observe);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->endAtLastKept(outOfMemory());
+  }
+  if (this->States.areAll())
+  {
+    this->Make = nullptr;
+  }
+}
+
+void StateSeries::run(SurfaceFlow& flow, const Execution& execution, const Observe& observe)
+{
   const double total = std::max(1, flow.totalSteps());
-  std::size_t next = 0;
   for (;;)
   {
-    execution.report(flow.record().iteration / total);
+    const int iteration = flow.record().iteration;
+    execution.report(iteration / total);
     this->History.push_back(flow.record());
-    const bool isPublished =
-      next < this->Published.size() && flow.record().iteration == this->Published[next];
-    if (isPublished || flow.isFinished())
+    if (observe)
     {
-      this->keep(next++, flow);
+      observe(flow);
+    }
+    if (this->isPublished(iteration) || flow.isFinished())
+    {
+      this->keep(flow);
     }
     if (flow.isFinished())
     {
-      break;
+      return;
     }
     flow.step();
     if (!flow.stopReason().empty())
     {
-      // The step was undone: the state before it is the last one.
-      this->keep(next++, flow);
-      break;
+      // The step was undone: the state before it is the last one, with its final elements.
+      this->StopReason = flow.stopReason();
+      this->History.back() = flow.record();
+      this->keep(flow);
+      if (observe)
+      {
+        observe(flow);
+      }
+      return;
     }
   }
-  this->StopReason = flow.stopReason();
 }
 
-void StateSeries::keep(std::size_t i, const SurfaceFlow& flow)
+/// Those kept are the first published ones.
+bool StateSeries::isPublished(int iteration) const
 {
-  if (!this->States.empty() && this->States.back()->record.iteration == flow.record().iteration)
-  {
-    return; // a run that ends right after a published state
-  }
-  // What was the last state is one among others now.
-  this->dropBetweenStrides();
-  this->States.resize(i + 1);
-  this->States[i] = std::make_shared<const FlowState>(flow.state());
-  this->thinOut();
+  return this->States.size() < this->Published.size() &&
+    iteration == this->Published[this->States.size()];
 }
 
-void StateSeries::thinOut()
+void StateSeries::keep(const SurfaceFlow& flow)
 {
-  while (bytesOf(this->States) > this->MemoryLimit && this->Stride < this->States.size())
-  {
-    this->Stride *= 2;
-    const std::shared_ptr<const FlowState> last = this->States.back();
-    this->dropBetweenStrides();
-    this->States.back() = last;
-  }
+  const auto& last = this->States.last();
+  const bool isKept = last && last->record.iteration == flow.record().iteration;
+  auto state = std::make_shared<const FlowState>(flow.state());
+  isKept ? this->States.replaceLast(std::move(state)) : this->States.append(std::move(state));
 }
 
-void StateSeries::dropBetweenStrides()
+/// While an exception is handled that took the flow, and with it what came after.
+void StateSeries::endAtLastKept(const std::string& reason)
 {
-  for (std::size_t i = 0; i < this->States.size(); ++i)
+  if (!this->States.last())
   {
-    if (i % this->Stride != 0)
-    {
-      this->States[i] = nullptr;
-    }
+    throw;
   }
+  const int iteration = this->States.last()->record.iteration;
+  this->StopReason = endSentence(iteration + 1, reason);
+  const auto isLater = [iteration](const FlowRecord& record)
+  { return record.iteration > iteration; };
+  this->History.erase(
+    std::find_if(this->History.begin(), this->History.end(), isLater), this->History.end());
 }
 
 std::shared_ptr<const FlowState> StateSeries::state(std::size_t i, const Execution& execution)
 {
   i = std::min(i, this->States.size() - 1);
-  if (this->States[i])
+  const auto& before = this->States.upTo(i);
+  if (before == this->States.last() || before->record.iteration == this->Published[i])
   {
-    return this->States[i];
-  }
-  std::size_t before = i;
-  while (!this->States[before])
-  {
-    --before;
+    return before;
   }
   SurfaceFlow flow = this->Make(execution);
-  flow.resume(*this->States[before]);
+  flow.resume(*before);
   while (flow.record().iteration < this->Published[i] && !flow.isFinished())
   {
     flow.step();

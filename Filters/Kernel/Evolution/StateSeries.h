@@ -10,6 +10,7 @@
 #define EVOLVING_STATE_SERIES_H
 
 #include "Evolution/FlowState.h"
+#include "Evolution/KeptStates.h"
 #include "Evolution/SurfaceFlow.h"
 #include "Execution.h"
 
@@ -33,23 +34,28 @@ std::vector<int> publishedIterations(int steps, int smoothingSteps, int interval
  * A user looks at an evolution forwards, backwards and again; each look must not be a solve. The
  * series runs the flow once and keeps the published states. When they exceed the memory limit,
  * every second one is dropped; a dropped state is computed again from the nearest one before it.
- * What remeshing gave to several states is kept, and counted, once.
  */
 class StateSeries
 {
 public:
   /// Makes the flow at its start; called once, and again to recompute dropped states.
   using MakeFlow = std::function<SurfaceFlow(const Execution&)>;
+  /// Sees every computed step, the start included, and a last state that was tidied once more.
+  using Observe = std::function<void(const SurfaceFlow&)>;
 
   /**
-   * Runs the flow to its end.
+   * Runs the flow to its end. What ends it early, lack of memory included, leaves the states
+   * before and a reason.
+   * @param makeFlow forgotten, with all it refers to, when no state had to be dropped
    * @param published as publishedIterations() gives them
    * @param memoryLimit bytes; the first and the last state are kept whatever it is
-   * @throws InputError
+   * @param flowBytes what makeFlow holds in memory beside the start; counts once it must stay
+   * @param observe may be empty
+   * @throws InputError when there is no start, or no first step with it
    * @throws Cancelled
    */
   StateSeries(MakeFlow makeFlow, std::vector<int> published, std::size_t memoryLimit,
-    const Execution& execution);
+    const Execution& execution, std::size_t flowBytes = 0, const Observe& observe = {});
 
   /**
    * The state published as number i. After convergence or a stop the last state reached.
@@ -65,15 +71,14 @@ public:
   int lastIteration() const { return this->History.back().iteration; }
 
 private:
-  void keep(std::size_t i, const SurfaceFlow& flow);
-  void thinOut();
-  void dropBetweenStrides();
+  void run(SurfaceFlow& flow, const Execution& execution, const Observe& observe);
+  bool isPublished(int iteration) const;
+  void keep(const SurfaceFlow& flow);
+  void endAtLastKept(const std::string& reason);
 
-  MakeFlow Make;
+  MakeFlow Make; ///< null when all states are kept
   std::vector<int> Published;
-  std::size_t MemoryLimit;
-  std::size_t Stride = 1; ///< of the states kept; the last one is kept, too
-  std::vector<std::shared_ptr<const FlowState>> States;
+  KeptStates States;
   std::vector<FlowRecord> History;
   std::string StopReason;
 };

@@ -8,8 +8,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <sstream>
+#include <exception>
+#include <string>
 #include <utility>
 
 namespace evolving
@@ -52,7 +52,7 @@ SurfaceFlow::SurfaceFlow(std::shared_ptr<const SurfaceMesh> start,
 
 int SurfaceFlow::totalSteps() const
 {
-  return this->Setup.options.numberOfSteps + this->Setup.options.smoothingSteps;
+  return this->Setup.options.totalSteps();
 }
 
 bool SurfaceFlow::isFinished() const
@@ -82,6 +82,16 @@ void SurfaceFlow::evaluate(const Execution& execution)
   measureState(this->mesh(), this->Center, this->Arrays, this->Record, this->Run);
 }
 
+FlowRecord SurfaceFlow::recordAt(const std::vector<Vec3>& points) const
+{
+  SurfaceMesh mesh = this->mesh();
+  mesh.points = points;
+  FlowRecord record = this->Record;
+  const Execution now = this->stepExecution().phase(0.0, 0.0);
+  measureState(mesh, this->Center, this->Surface.measuredArrays(points, now), record, now);
+  return record;
+}
+
 void SurfaceFlow::step()
 {
   using Clock = std::chrono::steady_clock;
@@ -99,73 +109,73 @@ void SurfaceFlow::step()
   {
     this->stepOrStop();
   }
-  this->Record.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  if (this->StopReason.empty())
+  {
+    this->Record.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  }
 }
 
 void SurfaceFlow::stepOrStop()
 {
-  std::string failure;
+  std::optional<StepFailure> failure;
   for (int halvings = 0; halvings <= MostHalvings; ++halvings)
   {
     // Progress never goes back: that of the first try stands.
     const Execution all = this->stepExecution();
     failure =
       this->tryStep(this->Setup.parts.count << halvings, halvings == 0 ? all : all.phase(1.0, 1.0));
-    if (failure.empty())
+    if (!failure)
     {
       return;
     }
+    if (!failure->mayPassInParts)
+    {
+      break;
+    }
   }
-  std::ostringstream message;
-  message << "The evolution ended before step " << this->Record.iteration + 1 << ": " << failure;
-  this->StopReason = message.str();
+  if (failure->isOfInput && this->Record.iteration == 0)
+  {
+    throw InputError(failure->reason); // nothing but the input has been reached
+  }
+  this->StopReason = endSentence(this->Record.iteration + 1, failure->reason);
   this->tidyLastState();
 }
 
 /// The state before the step that failed is the last one; it stays as it is when that fails, too.
 void SurfaceFlow::tidyLastState()
 {
-  const SurfacePlace place = this->Surface.place();
-  const FlowRecord record = this->Record;
+  const FlowState before = this->state();
   try
   {
     const Execution now = this->stepExecution().phase(1.0, 1.0);
-    this->Surface.remesh(true, now);
-    this->evaluate(now);
+    if (this->Surface.remesh(true, now))
+    {
+      this->evaluate(now);
+      this->Record.solverIterations = before.record.solverIterations; // as of the step to it
+    }
   }
-  catch (const SolverError&)
+  catch (...)
   {
-    this->Surface.setPlace(place, Execution());
-    this->Record = record;
+    this->restore(before, Execution());
+    failureOf(std::current_exception());
   }
 }
 
-/// Returns why the step failed, and undoes it then; empty when it did not.
-std::string SurfaceFlow::tryStep(int parts, const Execution& execution)
+/// Returns why the step failed, and undoes it then; nothing when it did not.
+std::optional<StepFailure> SurfaceFlow::tryStep(int parts, const Execution& execution)
 {
-  const SurfacePlace placeBefore = this->Surface.place();
-  const FlowRecord recordBefore = this->Record;
-  const auto undo = [&]()
-  {
-    this->Surface.setPlace(placeBefore, Execution());
-    this->Record = recordBefore;
-  };
+  const FlowState before = this->state();
   this->Surface.resetSolverIterations();
   try
   {
     this->Surface.move(this->Record.iteration, parts, execution.phase(0.0, 0.9));
-    this->arrive(placeBefore.position.points, execution.phase(0.9, 1.0));
-    return {};
-  }
-  catch (const SolverError& error)
-  {
-    undo();
-    return error.what();
+    this->arrive(before.points, execution.phase(0.9, 1.0));
+    return std::nullopt;
   }
   catch (...)
   {
-    undo();
-    throw;
+    this->restore(before, Execution());
+    return failureOf(std::current_exception());
   }
 }
 
@@ -176,7 +186,7 @@ void SurfaceFlow::arrive(const std::vector<Vec3>& before, const Execution& execu
   const bool hasStopped = isTowardsTarget && this->hasStoppedMoving(before);
   this->countIteration();
   const bool isLast = hasStopped || this->Record.iteration == this->totalSteps();
-  const bool isRenewed = isLast || this->isRemeshingDue();
+  const bool isRenewed = isLast || this->Setup.options.isRemeshingDue(this->Record.iteration);
   if (isRenewed)
   {
     this->Surface.remesh(isLast, execution.phase(0.0, 0.4));
@@ -193,18 +203,8 @@ void SurfaceFlow::arrive(const std::vector<Vec3>& before, const Execution& execu
 
 bool SurfaceFlow::hasStoppedMoving(const std::vector<Vec3>& before) const
 {
-  double farthest = 0.0;
-  for (std::size_t i = 0; i < before.size(); ++i)
-  {
-    const Vec3 move = this->mesh().points[i] - before[i];
-    farthest = std::max(farthest, std::abs(move.dot(this->Arrays.normal[i])));
-  }
-  return farthest < this->Setup.options.convergenceTolerance * this->Setup.size;
-}
-
-bool SurfaceFlow::isRemeshingDue() const
-{
-  return this->Record.iteration % this->Setup.options.remeshingInterval == 0;
+  return farthestNormalMove(before, this->mesh().points, this->Arrays.normal) <
+    this->Setup.options.convergenceTolerance * this->Setup.size;
 }
 
 /// Intensities of an edge detector are no distances.
@@ -242,15 +242,22 @@ FlowState SurfaceFlow::state() const
     std::move(place.position.onCurves), this->Arrays, this->Record, this->Stall, this->Converged };
 }
 
-void SurfaceFlow::resume(const FlowState& state)
+void SurfaceFlow::restore(const FlowState& state, const Execution& execution)
 {
+  this->Surface.setPlace({ state.origin, { state.points, state.curvePositions } }, execution);
+  this->Arrays = state.arrays;
   this->Record = state.record;
-  this->Surface.setPlace(
-    { state.origin, { state.points, state.curvePositions } }, this->stepExecution());
   this->Stall = state.stall;
   this->Converged = state.hasConverged;
+}
+
+void SurfaceFlow::resume(const FlowState& state)
+{
+  this->Record.iteration = state.record.iteration; // of which the progress is told
+  const Execution execution = this->stepExecution();
+  this->restore(state, execution);
   this->StopReason.clear();
-  this->evaluate(this->stepExecution());
+  this->evaluate(execution);
   this->Record = state.record;
 }
 

@@ -17,11 +17,13 @@
 #include "Evolution/Remesher.h"
 #include "Evolution/ScalarImage.h"
 #include "Evolution/StallTest.h"
+#include "Evolution/StepFailure.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
 #include "Redistribution/StateArrays.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,11 +33,11 @@ namespace evolving
 /**
  * Steps a surface through time. The connectivity stays, and the sparse pattern is analysed once,
  * unless a remesher gives the surface new elements: after every remeshingInterval-th step,
- * smoothing steps included, and after the step that ends the run. A state is what its step ended
+ * smoothing steps included, and after the step that ends the flow. A state is what its step ended
  * with after that; the arrays and the record are those of the new elements.
  * @code
  *   SurfaceFlow flow(start, field, options, execution);
- *   while (!flow.isFinished()) { flow.step(); use(flow.points(), flow.arrays(), flow.record()); }
+ *   while (!flow.isFinished()) { flow.step(); use(flow.mesh(), flow.arrays(), flow.record()); }
  *   if (!flow.stopReason().empty()) ... // ended early; the last state is good
  * @endcode
  */
@@ -51,7 +53,7 @@ public:
     std::shared_ptr<Remesher> remesher, const FlowOptions& options,
     const Execution& execution = {});
 
-  /// Steps with smoothing steps: the iteration of the last state when nothing stops the run.
+  /// Steps with smoothing steps: the iteration of the last state when nothing stops the flow.
   int totalSteps() const;
   /**
    * True after the last step, after a stop, and after convergence unless smoothing steps follow;
@@ -61,21 +63,23 @@ public:
   /// No vertex moved farther along its normal in a step than convergenceTolerance, or the farthest
   /// one came no nearer to the target in stallSteps steps (looked at where remeshing is due).
   bool hasConverged() const { return this->Converged; }
-  /// Empty, or one sentence that says at which step and why the run ended; that step is undone.
+  /// Empty, or one sentence that says at which step and why the flow ended; that step is undone.
   const std::string& stopReason() const { return this->StopReason; }
 
-  /// One time step. A step that fails leaves the state before it and sets stopReason().
-  /// @throws Cancelled
+  /// One time step. A step that fails, for whatever reason, leaves the state before it and sets
+  /// stopReason(). @throws InputError when the first step cannot use the input. @throws Cancelled
   void step();
 
   const SurfaceMesh& mesh() const { return this->Surface.mesh(); }
   const StateArrays& arrays() const { return this->Arrays; }
   const FlowRecord& record() const { return this->Record; }
+  /// The record of the current state with its points elsewhere: where they are handed out.
+  FlowRecord recordAt(const std::vector<Vec3>& points) const;
   /// A copy of the current state.
   FlowState state() const;
   /**
    * Goes on from a state of an equal flow, whatever its elements. The steps after it agree with
-   * the first run's to the solver tolerance: warm starts are not part of a state.
+   * those of the first to the solver tolerance: warm starts are not part of a state.
    */
   void resume(const FlowState& state);
   /// L of the relative units: the unit the options were scaled by; 1 when they are absolute.
@@ -87,12 +91,12 @@ private:
   void evaluate(const Execution& execution);
   void stepOrStop();
   void tidyLastState();
-  std::string tryStep(int parts, const Execution& execution);
+  std::optional<StepFailure> tryStep(int parts, const Execution& execution);
+  void restore(const FlowState& state, const Execution& execution);
   void arrive(const std::vector<Vec3>& before, const Execution& execution);
   void repeatState();
   void countIteration();
   bool hasStoppedMoving(const std::vector<Vec3>& before) const;
-  bool isRemeshingDue() const;
   bool hasStalled();
 
   FlowSetup Setup;

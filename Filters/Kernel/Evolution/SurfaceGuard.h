@@ -16,7 +16,7 @@
 namespace evolving
 {
 
-/// The conditions that every state of a run must meet.
+/// The conditions that every state of a flow must meet.
 class SurfaceGuard
 {
 public:

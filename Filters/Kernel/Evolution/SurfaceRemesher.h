@@ -9,20 +9,16 @@
 #ifndef EVOLVING_SURFACE_REMESHER_H
 #define EVOLVING_SURFACE_REMESHER_H
 
+#include "Evolution/ElementSizes.h"
 #include "Evolution/FlowOptions.h"
 #include "Evolution/Remesher.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
 
+#include <tuple>
+
 namespace evolving
 {
-
-/// How large elements are where.
-enum class ElementSizing
-{
-  Uniform = 1,
-  CurvatureAdaptive = 2, ///< about as many as uniform ones, smaller where the surface is curved
-};
 
 struct SurfaceRemeshingOptions
 {
@@ -31,14 +27,30 @@ struct SurfaceRemeshingOptions
   BoundaryMode boundaryMode = BoundaryMode::Fixed;
 };
 
+/// All of them: a new one does not compile before it is listed here.
+inline auto membersOf(const SurfaceRemeshingOptions& options)
+{
+  const auto& [sizing, edgeLength, boundaryMode] = options;
+  return std::tie(sizing, edgeLength, boundaryMode);
+}
+
+inline bool operator==(const SurfaceRemeshingOptions& a, const SurfaceRemeshingOptions& b)
+{
+  return membersOf(a) == membersOf(b);
+}
+
+/// @throws InputError for an edge length that is neither 0 nor a number from 1e-100 to 1e100
+void checkOptions(const SurfaceRemeshingOptions& options);
+
 /**
  * Splits, collapses and flips edges and relaxes vertices along the smooth surface that the evolved
  * triangles stand for (CurvedReference), so that remeshing again and again does not shrink it.
  *
  * - Good elements stay as they are, except at the end of the flow, where all are made as good as
  *   can be.
- * - A component keeps at least some hundred vertices, however small it has become; one that has
- *   shrunk to a point (VanishedComponents) is left out when others remain.
+ * - A component keeps at least some hundred vertices, however small it has become
+ *   (setElementSizes()); one that has shrunk to a point (VanishedComponents) is left out when
+ *   others remain.
  * - A boundary keeps its shape: its edges are split, and only vertices in a straight line vanish.
  *   A boundary that moves freely may lose other ones as well.
  * - Where the surface comes without self-intersections, remeshing makes none.
@@ -46,14 +58,13 @@ struct SurfaceRemeshingOptions
 class SurfaceRemesher : public Remesher
 {
 public:
-  /// @param start of triangles. @throws InputError as MeshTopology
+  /// @param start of triangles. @throws InputError as MeshTopology and checkOptions()
   SurfaceRemesher(const SurfaceMesh& start, const SurfaceRemeshingOptions& options);
 
-  /// What edges should be as long as, in the mean.
+  /// The mean length that edges should have.
   double edgeLength() const { return this->Options.edgeLength; }
 
-  /// @throws InputError when a face is not a triangle, or as requireFewVertices(). @throws
-  /// Cancelled
+  /// @throws InputError when a face is not a triangle, or as setElementSizes(). @throws Cancelled
   std::optional<SurfaceMesh> remesh(
     const RemeshingInput& input, const Execution& execution) override;
 

@@ -85,7 +85,7 @@ public:
   int advanceIterations() const { return this->Step.iterations(); }
 
 private:
-  /// A step from where to where.
+  /// Where a step begins and ends.
   struct Move
   {
     SurfacePosition before;

@@ -16,9 +16,11 @@ namespace
 {
 
 /// What speaks for a label of a face, beside the distance in sizes: a triangle that lies as flat,
-/// and each neighbour with it.
+/// and each neighbour with it. One at a right angle counts as half a size farther away, which three
+/// neighbours do not outvote: they decide between labels that are about as good.
 constexpr double FlatnessWeight = 0.5;
 constexpr double NeighbourWeight = 0.15;
+/// A label goes on from face to face by one in a sweep; faces in doubt are no wider strips.
 constexpr int Sweeps = 4;
 
 /// What speaks against a label of a face, whatever its neighbours have.

@@ -20,9 +20,7 @@ namespace evolving
 namespace
 {
 
-/// In sizes: how far a vertex moves to where the labels around it meet.
-constexpr double ReachSizes = 1.5;
-/// In sizes: both ends of an edge on a crease are as near to it.
+/// In sizes: both ends of an edge on a crease are as near to it, but for rounding.
 constexpr double OnCrease = 1e-6;
 
 /// Turns labels of faces into patches and curves.
@@ -73,7 +71,7 @@ private:
       {
         this->Surface.setPoint(v,
           onBorder(this->Features, this->Surface.point(v), around[0], around[1],
-            ReachSizes * this->Surface.size(v)));
+            BorderReach * this->Surface.size(v)));
       }
       else if (around.size() > 2)
       {
@@ -90,7 +88,7 @@ private:
       return;
     }
     const Vec3& place = this->Features.target().point(meeting);
-    if ((place - this->Surface.point(v)).norm() > ReachSizes * this->Surface.size(v))
+    if ((place - this->Surface.point(v)).norm() > BorderReach * this->Surface.size(v))
     {
       return;
     }
@@ -211,8 +209,7 @@ Index releaseFeatures(EditableSurface& surface, double degrees)
   {
     const Index f = EditableSurface::faceOf(e);
     if (surface.hasEdge(e) && surface.featureEdges(surface.from(e)) > 0 &&
-      cosineOfSmallestAngle(surface.corner(f, 0), surface.corner(f, 1), surface.corner(f, 2)) >
-        limit)
+      cosineOfSmallestAngle(surface, f) > limit)
     {
       vertices.push_back(surface.from(e));
     }

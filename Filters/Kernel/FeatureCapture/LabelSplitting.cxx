@@ -14,15 +14,17 @@ namespace evolving
 namespace
 {
 
-/// In sizes: how far a new vertex moves onto its border, and what no split makes edges shorter
-/// than.
-constexpr double ReachSizes = 1.5;
+/// In sizes: the least length of the two edges that a split makes. A nearer end is taken to be on
+/// the border itself, far within what counts as on a crease (CrossingSizes).
 constexpr double ShortestSizes = 0.02;
-/// In sizes: an edge whose ends share a label crosses another that is so far from it.
+/// In sizes: an edge whose ends share a label runs over another one in between where its middle is
+/// farther than this from the shared one: nearer creases count as carried (WrapFinish.cxx).
 constexpr double CrossingSizes = 0.1;
-/// Where four labels meet splits would go on for ever: edges whose ends come of so many are left.
+/// Where four labels meet, splits of what splits have made would go on for ever: an edge stays
+/// whole when the generations of its two ends sum to this (0 for vertices that were there before).
 constexpr int MostSplits = 2;
-/// A change of labels is found to this power of 1/2, in lengths of the edge.
+/// A change of labels is found to this power of 1/2, in lengths of the edge: finer than
+/// ShortestSizes by far.
 constexpr int Bisections = 12;
 
 /// Where the closest point of the target leaves the labels of an edge's beginning.
@@ -118,8 +120,8 @@ private:
       this->Labels.add(this->Surface.to(e), change.before);
       return NoIndex;
     }
-    const Vec3 point = onBorder(
-      this->Features, this->along(e, change.place), change.before, change.after, ReachSizes * size);
+    const Vec3 point = onBorder(this->Features, this->along(e, change.place), change.before,
+      change.after, BorderReach * size);
     const int splits =
       1 + std::max(this->Splits[at(this->Surface.from(e))], this->Splits[at(this->Surface.to(e))]);
     const Index m = this->Surface.split(e, point);

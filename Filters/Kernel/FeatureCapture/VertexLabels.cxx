@@ -15,10 +15,14 @@ namespace evolving
 namespace
 {
 
-/// In sizes: how far a vertex moves onto a border, and onto a corner.
+/// In sizes: how far a vertex moves onto a border. Cut beside a vertex that is nearer, an
+/// equilateral triangle would keep a piece with an angle below 17 degrees.
 constexpr double SnapSizes = 0.3;
+/// In sizes: how far a vertex moves onto a corner. The vertices of a triangle with the longest
+/// edges that there are, LongestPerSize, are 0.77 from its middle.
 constexpr double CornerSizes = 1.0;
-/// Of the faces around a vertex that moves onto a border.
+/// Of the faces around a vertex that moves onto a border: faceShape() of a needle of 7 degrees, and
+/// what a face may turn by that leaves a right crease, with some to spare, 72 degrees.
 constexpr double LeastShape = 0.2;
 constexpr double LeastCosine = 0.3;
 

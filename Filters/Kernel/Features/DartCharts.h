@@ -26,7 +26,7 @@ namespace evolving
  *    with half a turn) is cut where its ends meet.
  * 2. Charts grow from all seeds at once (Dijkstra, over edges that are not sharp, slowly over
  *    folds), so that the border between two begins at the loose end and goes on straight ahead.
- *    They end at a distance that no better border exceeds; what is beyond are charts, too.
+ *    They end so far away that no shorter border runs beyond; what is left there are charts, too.
  * 3. Charts are merged over their longest border first, as long as no dart loses its two
  *    labels.
  * 4. Borders are moved to where they are short and follow weaker folds (minimum cuts), outside a

@@ -17,8 +17,9 @@ namespace evolving
 
 /**
  * Rule 2 of keepCarriable(): leaves out the edges between a patch narrower than a width and the
- * neighbour it belongs to, until no patch is narrow or has a neighbour. A patch's border is what
- * other patches, and nobody, share with it, not the darts inside.
+ * neighbour it belongs to, until none that has a neighbour is narrow. A patch's border is made of
+ * the edges that it shares with other patches and of the surface's boundary, not of the darts
+ * inside.
  * @return whether an edge was left out
  */
 bool mergeNarrowPatches(const TargetTriangles& target, SharpEdges& sharp, double width);

@@ -48,7 +48,14 @@ public:
   template <typename Visit>
   void forEachLaterOverlap(Index position, const Visit& visit) const
   {
-    this->search(position, 0, this->count(), visit);
+    this->search(this->Ordered[at(position)], position + 1, 0, this->count(), visit);
+  }
+
+  /// Calls visit(position) for each box that overlaps another one.
+  template <typename Visit>
+  void forEachOverlap(const Box& box, const Visit& visit) const
+  {
+    this->search(box, 0, 0, this->count(), visit);
   }
 
 private:
@@ -130,22 +137,22 @@ private:
     }
   }
 
+  /// From a position on.
   template <typename Visit>
-  void search(Index position, Index begin, Index end, const Visit& visit) const
+  void search(const Box& box, Index from, Index begin, Index end, const Visit& visit) const
   {
-    const Box& box = this->Ordered[at(position)];
     const Index half = middle(begin, end);
-    if (end <= position + 1 || !this->RangeBoxes[at(half)].intersects(box))
+    if (end <= from || begin == end || !this->RangeBoxes[at(half)].intersects(box))
     {
       return;
     }
     if (end - begin > LeafSize)
     {
-      this->search(position, begin, half, visit);
-      this->search(position, half, end, visit);
+      this->search(box, from, begin, half, visit);
+      this->search(box, from, half, end, visit);
       return;
     }
-    for (Index other = std::max(begin, position + 1); other < end; ++other)
+    for (Index other = std::max(begin, from); other < end; ++other)
     {
       if (this->Ordered[at(other)].intersects(box))
       {
@@ -193,6 +200,33 @@ std::vector<IndexPair> overlappingPairs(
   }
   std::sort(all.begin(), all.end());
   return all;
+}
+
+std::vector<std::vector<Index>> boxesOverlapping(
+  const std::vector<Box>& few, const std::vector<Box>& others, const Execution& execution)
+{
+  constexpr std::int64_t Grain = 4096;
+  const HalvedBoxes halved(few, execution);
+  std::vector<std::vector<IndexPair>> found(others.size() / Grain + 1);
+  execution.forRangeReporting(static_cast<std::int64_t>(others.size()), Grain,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      std::vector<IndexPair>& pairs = found[static_cast<std::size_t>(begin / Grain)];
+      for (auto other = static_cast<Index>(begin); other < static_cast<Index>(end); ++other)
+      {
+        halved.forEachOverlap(others[at(other)],
+          [&](Index position) { pairs.emplace_back(halved.number(position), other); });
+      }
+    });
+  std::vector<std::vector<Index>> overlapping(few.size());
+  for (const std::vector<IndexPair>& pairs : found)
+  {
+    for (const auto& [box, other] : pairs)
+    {
+      overlapping[at(box)].push_back(other);
+    }
+  }
+  return overlapping;
 }
 
 } // namespace evolving

@@ -22,7 +22,7 @@ namespace evolving
 /// Two numbers, the smaller one first.
 using IndexPair = std::pair<Index, Index>;
 
-/// Asked, on any thread, about two boxes that overlap or touch. Must not throw.
+/// Asked, on any thread, about two boxes that overlap or touch.
 using PairPredicate = std::function<bool(Index, Index)>;
 
 /**
@@ -32,6 +32,14 @@ using PairPredicate = std::function<bool(Index, Index)>;
  */
 std::vector<IndexPair> overlappingPairs(
   const std::vector<Box>& boxes, const PairPredicate& isWanted, const Execution& execution = {});
+
+/**
+ * For each of a few boxes the numbers of the others that overlap or touch it, in ascending order.
+ * Looks at each of the others once, whatever the number of the few.
+ * @throws Cancelled
+ */
+std::vector<std::vector<Index>> boxesOverlapping(
+  const std::vector<Box>& few, const std::vector<Box>& others, const Execution& execution = {});
 
 } // namespace evolving
 

@@ -30,7 +30,7 @@ double largestCotangent(const Vec3& a, const Vec3& b, const Vec3& c)
   return sine > 0.0 ? cosine / sine : Infinity;
 }
 
-/// Of a face; cotangents fall as angles grow, and cost no inverse function.
+/// Of a face.
 double largestCotangent(const SurfaceMesh& mesh, Index face)
 {
   const Index size = mesh.faceSize(face);
@@ -45,10 +45,7 @@ double largestCotangent(const SurfaceMesh& mesh, Index face)
     const Vec3& corner = mesh.facePoint(face, k);
     const Vec3 a = mesh.facePoint(face, (k + 1) % size) - corner;
     const Vec3 b = mesh.facePoint(face, (k + size - 1) % size) - corner;
-    const double cosine = a.dot(b);
-    const double sine = a.cross(b).norm();
-    const double straight = cosine < 0.0 ? -Infinity : Infinity; // 180 or 0 degrees
-    largest = std::max(largest, sine > 0.0 ? cosine / sine : straight);
+    largest = std::max(largest, cotangentBetween(a, b));
   }
   return largest;
 }
@@ -59,10 +56,7 @@ double cornerAngle(const SurfaceMesh& mesh, Index face, Index k)
   const Vec3& corner = mesh.facePoint(face, k);
   const Vec3 a = mesh.facePoint(face, (k + 1) % size) - corner;
   const Vec3 b = mesh.facePoint(face, (k + size - 1) % size) - corner;
-  const double sine = a.cross(b).norm();
-  const double cosine = a.dot(b);
-  // A corner with a vanishing edge counts as collapsed; atan2(0, -0) would be a straight angle.
-  return cosine == 0.0 && sine == 0.0 ? 0.0 : DegreesPerRadian * std::atan2(sine, cosine);
+  return DegreesPerRadian * angleBetween(a, b);
 }
 
 std::vector<double> smallestAngles(const SurfaceMesh& mesh)

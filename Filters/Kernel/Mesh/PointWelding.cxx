@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Mesh/PointWelding.h"
+
 #include "Mesh/SurfaceMesh.h"
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace evolving
 {
@@ -29,30 +32,6 @@ std::vector<Index> usedVertices(const SurfaceMesh& mesh)
     }
   }
   return vertices;
-}
-
-/**
- * For every used point the smallest number of a used point with the same coordinates. Unused
- * points stay out of it: they may be NaN, which has no order.
- */
-std::vector<Index> firstOfEqualPoints(const SurfaceMesh& mesh)
-{
-  const std::vector<Vec3>& points = mesh.points;
-  std::vector<Index> order = usedVertices(mesh);
-  const auto less = [&points](Index a, Index b)
-  {
-    const Vec3& p = points[at(a)];
-    const Vec3& q = points[at(b)];
-    return std::tie(p[0], p[1], p[2], a) < std::tie(q[0], q[1], q[2], b);
-  };
-  std::sort(order.begin(), order.end(), less);
-  std::vector<Index> first(points.size(), NoIndex);
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    const bool equalsLast = i > 0 && points[at(order[i])] == points[at(order[i - 1])];
-    first[at(order[i])] = equalsLast ? first[at(order[i - 1])] : order[i];
-  }
-  return first;
 }
 
 /// The face's vertices after welding, without consecutive repetitions.
@@ -112,10 +91,51 @@ void dropUnusedPoints(
 
 } // namespace
 
+std::vector<Index> firstOfEqualPoints(const std::vector<Vec3>& points, std::vector<Index> among)
+{
+  const auto less = [&points](Index a, Index b)
+  {
+    const Vec3& p = points[at(a)];
+    const Vec3& q = points[at(b)];
+    return std::tie(p[0], p[1], p[2], a) < std::tie(q[0], q[1], q[2], b);
+  };
+  std::sort(among.begin(), among.end(), less);
+  std::vector<Index> first(points.size(), NoIndex);
+  for (std::size_t i = 0; i < among.size(); ++i)
+  {
+    const bool equalsLast = i > 0 && points[at(among[i])] == points[at(among[i - 1])];
+    first[at(among[i])] = equalsLast ? first[at(among[i - 1])] : among[i];
+  }
+  return first;
+}
+
+std::vector<Index> vertexOfEachPoint(
+  const std::vector<Vec3>& points, const std::vector<Vec3>& vertices)
+{
+  // Vertices come first, so that the first of equal points is a vertex where there is one.
+  std::vector<Vec3> all = vertices;
+  all.insert(all.end(), points.begin(), points.end());
+  std::vector<Index> finite;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    if (all[i].allFinite())
+    {
+      finite.push_back(static_cast<Index>(i));
+    }
+  }
+  std::vector<Index> vertex = firstOfEqualPoints(all, std::move(finite));
+  vertex.erase(vertex.begin(), vertex.begin() + static_cast<std::ptrdiff_t>(vertices.size()));
+  const auto count = static_cast<Index>(vertices.size());
+  std::replace_if(
+    vertex.begin(), vertex.end(), [count](Index v) { return v >= count; }, NoIndex);
+  return vertex;
+}
+
 SurfaceMesh weldCoincidentPoints(
   const SurfaceMesh& mesh, std::vector<Index>* oldVertex, std::vector<Index>* oldFace)
 {
-  const std::vector<Index> first = firstOfEqualPoints(mesh);
+  // Unused points stay out of it: they may be NaN.
+  const std::vector<Index> first = firstOfEqualPoints(mesh.points, usedVertices(mesh));
   SurfaceMesh welded;
   welded.cornerVertices.reserve(mesh.cornerVertices.size());
   welded.faceOffsets.reserve(mesh.faceOffsets.size());

@@ -17,29 +17,34 @@ namespace evolving
 namespace
 {
 
-void requireTriangles(const SurfaceMesh& mesh)
+/// The largest coordinate of the triangles' corners, without its sign.
+double largestCoordinate(const TriangleView& triangles)
 {
-  for (Index face = 0; face < mesh.faceCount(); ++face)
+  double largest = 0.0;
+  for (Index t = 0; t < triangles.count(); ++t)
   {
-    if (mesh.faceSize(face) != 3)
+    for (const Index vertex : triangles.vertices(t))
     {
-      std::ostringstream message;
-      message << "Face " << face << " has " << mesh.faceSize(face)
-              << " corners, expected 3 to look for self-intersections; triangulate the mesh first.";
-      throw InputError(message.str());
+      const Vec3& point = triangles.points()[at(vertex)];
+      if (!point.allFinite())
+      {
+        std::ostringstream message;
+        message << "Vertex " << vertex << " is at (" << point.transpose()
+                << "), expected finite coordinates to look for self-intersections; repair it.";
+        throw InputError(message.str());
+      }
+      largest = std::max(largest, point.lpNorm<Eigen::Infinity>());
     }
   }
+  return largest;
 }
 
 /// The points times a power of two, which changes no digit, so that products stay in range.
-std::vector<Vec3> pointsOfUnitSize(const SurfaceMesh& mesh)
+std::vector<Vec3> pointsOfUnitSize(const TriangleView& triangles)
 {
-  const Box box = boundingBox(mesh);
-  const double size = box.isEmpty()
-    ? 0.0
-    : std::max(box.min().lpNorm<Eigen::Infinity>(), box.max().lpNorm<Eigen::Infinity>());
+  const double size = largestCoordinate(triangles);
   const int exponent = size > 0.0 ? std::ilogb(size) : 0;
-  std::vector<Vec3> points = mesh.points;
+  std::vector<Vec3> points = triangles.points();
   for (Vec3& point : points)
   {
     point = point.unaryExpr([exponent](double x) { return std::scalbn(x, -exponent); });
@@ -52,29 +57,30 @@ std::vector<Vec3> pointsOfUnitSize(const SurfaceMesh& mesh)
 std::vector<std::pair<Index, Index>> selfIntersections(
   const SurfaceMesh& triangles, const Execution& execution)
 {
-  validate(triangles);
-  requireTriangles(triangles);
+  return selfIntersections(triangleView(triangles), execution);
+}
+
+std::vector<std::pair<Index, Index>> selfIntersections(
+  const TriangleView& triangles, const Execution& execution)
+{
   const std::vector<Vec3> points = pointsOfUnitSize(triangles);
-  const auto vertices = [&](Index face) -> TriangleVertices
+  std::vector<Box> boxes(at(triangles.count()));
+  for (Index t = 0; t < triangles.count(); ++t)
   {
-    return { triangles.faceVertex(face, 0), triangles.faceVertex(face, 1),
-      triangles.faceVertex(face, 2) };
-  };
-  std::vector<Box> boxes(static_cast<std::size_t>(triangles.faceCount()));
-  for (Index face = 0; face < triangles.faceCount(); ++face)
-  {
-    if (hasArea(points, vertices(face)))
+    const TriangleVertices vertices = triangles.vertices(t);
+    if (hasArea(points, vertices))
     {
-      for (const Index vertex : vertices(face))
+      for (const Index vertex : vertices)
       {
-        boxes[static_cast<std::size_t>(face)].extend(points[static_cast<std::size_t>(vertex)]);
+        boxes[at(t)].extend(points[at(vertex)]);
       }
     }
   }
   return overlappingPairs(
     boxes,
-    [&](Index first, Index second)
-    { return intersectBeyondShared(points, vertices(first), vertices(second)); },
+    [&](Index first, Index second) {
+      return intersectBeyondShared(points, triangles.vertices(first), triangles.vertices(second));
+    },
     execution);
 }
 

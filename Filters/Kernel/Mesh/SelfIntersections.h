@@ -11,6 +11,7 @@
 
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
+#include "Mesh/TriangleView.h"
 #include "Types.h"
 
 #include <utility>
@@ -30,6 +31,13 @@ namespace evolving
  */
 std::vector<std::pair<Index, Index>> selfIntersections(
   const SurfaceMesh& triangles, const Execution& execution = {});
+
+/**
+ * The same of a surface that is known to be of triangles.
+ * @throws InputError when a coordinate is not finite. @throws Cancelled
+ */
+std::vector<std::pair<Index, Index>> selfIntersections(
+  const TriangleView& triangles, const Execution& execution = {});
 
 } // namespace evolving
 

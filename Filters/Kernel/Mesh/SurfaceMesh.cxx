@@ -59,12 +59,17 @@ Index SurfaceMesh::addPoint(const Vec3& point)
 
 Index SurfaceMesh::addFace(std::initializer_list<Index> vertices)
 {
-  return this->addFace(std::vector<Index>(vertices));
+  return this->addFace(vertices.begin(), vertices.end());
 }
 
 Index SurfaceMesh::addFace(const std::vector<Index>& vertices)
 {
-  this->cornerVertices.insert(this->cornerVertices.end(), vertices.begin(), vertices.end());
+  return this->addFace(vertices.data(), vertices.data() + vertices.size());
+}
+
+Index SurfaceMesh::addFace(const Index* begin, const Index* end)
+{
+  this->cornerVertices.insert(this->cornerVertices.end(), begin, end);
   this->faceOffsets.push_back(this->cornerCount());
   return this->faceCount() - 1;
 }

@@ -54,6 +54,9 @@ struct SurfaceMesh
   Index addFace(const std::vector<Index>& vertices);
 
   bool hasOnlyTriangles() const;
+
+private:
+  Index addFace(const Index* begin, const Index* end);
 };
 
 bool operator==(const SurfaceMesh& a, const SurfaceMesh& b);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace evolving
 {
@@ -70,6 +71,23 @@ TriangleEdges::TriangleEdges(const SurfaceMesh& mesh)
     {
       this->Offsets.push_back(static_cast<Index>(last - this->Corners.begin()));
     }
+  }
+}
+
+void TriangleEdges::turn(const std::vector<char>& isTurned)
+{
+  for (std::size_t face = 0; face < isTurned.size(); ++face)
+  {
+    if (isTurned[face])
+    {
+      // The edges from and to the first corner; the one opposite it only runs the other way.
+      std::swap(this->EdgeOfCorner[3 * face], this->EdgeOfCorner[3 * face + 2]);
+    }
+  }
+  std::vector<Index> place(this->Offsets.begin(), this->Offsets.end() - 1);
+  for (std::size_t corner = 0; corner < this->EdgeOfCorner.size(); ++corner)
+  {
+    this->Corners[at(place[at(this->EdgeOfCorner[corner])]++)] = static_cast<Index>(corner);
   }
 }
 

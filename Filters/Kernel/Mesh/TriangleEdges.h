@@ -28,6 +28,10 @@ public:
   /// @param mesh of triangles only
   explicit TriangleEdges(const SurfaceMesh& mesh);
 
+  /// After some faces were turned, which exchanged their last two corners' vertices: the edges
+  /// stay, with their numbers, but other corners run along them.
+  void turn(const std::vector<char>& isTurned);
+
   Index edgeCount() const { return static_cast<Index>(this->Offsets.size()) - 1; }
   Index edgeOf(Index corner) const { return this->EdgeOfCorner[at(corner)]; }
 

@@ -9,16 +9,13 @@
 #ifndef EVOLVING_TRIANGLE_PAIRS_H
 #define EVOLVING_TRIANGLE_PAIRS_H
 
+#include "Mesh/TriangleView.h"
 #include "Types.h"
 
-#include <array>
 #include <vector>
 
 namespace evolving
 {
-
-/// The vertex numbers of a triangle.
-using TriangleVertices = std::array<Index, 3>;
 
 /// Whether the corners do not lie on one line.
 bool hasArea(const std::vector<Vec3>& points, const TriangleVertices& triangle);

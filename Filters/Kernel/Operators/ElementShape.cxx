@@ -4,6 +4,7 @@
 #include "Operators/ElementShape.h"
 
 #include "Mesh/Angles.h"
+#include "Mesh/Orthogonal.h"
 #include "ParallelLoops.h"
 
 #include <Eigen/Dense>
@@ -61,9 +62,7 @@ struct TangentBasis
 
   TangentBasis(const Vec3& normal, const Vec3& curveTangent)
   {
-    Index smallest = 0;
-    normal.cwiseAbs().minCoeff(&smallest);
-    this->first = normal.cross(Vec3(Vec3::Unit(smallest))).normalized();
+    this->first = orthogonalTo(normal).normalized();
     this->second = normal.cross(this->first);
     if (!curveTangent.isZero(0.0))
     {

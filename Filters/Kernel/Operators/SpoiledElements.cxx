@@ -30,13 +30,7 @@ struct Corner
     this->toPrevious = points[at(faces.faceVertex(face, (k + size - 1) % size))] - own;
   }
   Vec3 normal() const { return this->toNext.cross(this->toPrevious); }
-  /// Grows as the angle shrinks; infinite for a collapsed corner.
-  double cotangent() const
-  {
-    const double sine = this->normal().norm();
-    return sine > 0.0 ? this->toNext.dot(this->toPrevious) / sine
-                      : std::numeric_limits<double>::infinity();
-  }
+  double cotangent() const { return cotangentBetween(this->toNext, this->toPrevious); }
 };
 
 bool isSpoiled(const SurfaceMesh& mesh, const std::vector<Vec3>& before,

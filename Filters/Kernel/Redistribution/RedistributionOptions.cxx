@@ -5,33 +5,22 @@
 
 #include "ParameterRange.h"
 
-#include <tuple>
-
 namespace evolving
 {
 
-namespace
-{
-
-auto members(const RedistributionOptions& o)
-{
-  return std::tie(o.volume, o.angle, o.length, o.angleMethod, o.angleWeighting, o.curvatureControl,
-    o.curvatureControlAlpha);
-}
-
-} // namespace
-
 bool operator==(const RedistributionOptions& a, const RedistributionOptions& b)
 {
-  return members(a) == members(b);
+  return membersOf(a) == membersOf(b);
 }
 
 void checkOptions(const RedistributionOptions& options)
 {
-  checkRange("The rate of the volume-based redistribution", options.volume, 0.0, AnyNumber);
-  checkRange("The rate of the angle-based redistribution", options.angle, 0.0, AnyNumber);
-  checkRange("The rate of the length-based redistribution", options.length, 0.0, AnyNumber);
-  checkRange("The curvature control's alpha", options.curvatureControlAlpha, 0.0, AnyNumber);
+  constexpr char Off[] = "0 switches this term off";
+  checkRange("VolumeRedistribution", options.volume, 0.0, AnyNumber, Off);
+  checkRange("AngleRedistribution", options.angle, 0.0, AnyNumber, Off);
+  checkRange("LengthRedistribution", options.length, 0.0, AnyNumber, Off);
+  checkRange("CurvatureControlAlpha", options.curvatureControlAlpha, 0.0, AnyNumber,
+    "set 0.1 when in doubt");
 }
 
 } // namespace evolving

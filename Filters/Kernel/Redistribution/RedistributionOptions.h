@@ -9,6 +9,8 @@
 #ifndef EVOLVING_REDISTRIBUTION_OPTIONS_H
 #define EVOLVING_REDISTRIBUTION_OPTIONS_H
 
+#include <tuple>
+
 namespace evolving
 {
 
@@ -57,6 +59,15 @@ struct RedistributionOptions
 
   bool isActive() const { return this->volume > 0.0 || this->angle > 0.0 || this->length > 0.0; }
 };
+
+/// All of them: a new one does not compile before it is listed here.
+inline auto membersOf(const RedistributionOptions& options)
+{
+  const auto& [volume, angle, length, angleMethod, angleWeighting, curvatureControl,
+    curvatureControlAlpha] = options;
+  return std::tie(
+    volume, angle, length, angleMethod, angleWeighting, curvatureControl, curvatureControlAlpha);
+}
 
 bool operator==(const RedistributionOptions& a, const RedistributionOptions& b);
 

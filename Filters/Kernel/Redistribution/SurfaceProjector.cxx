@@ -13,16 +13,16 @@ namespace evolving
 namespace
 {
 
-SurfaceMesh triangulated(const SurfaceMesh& surface)
+SurfaceMesh triangulated(const SurfaceMesh& surface, const Execution& execution)
 {
   std::vector<Index> oldFace;
-  return triangulate(surface, oldFace);
+  return triangulate(surface, oldFace, execution);
 }
 
 } // namespace
 
 SurfaceProjector::SurfaceProjector(const SurfaceMesh& surface, const Execution& execution)
-  : Tree(triangulated(surface), execution)
+  : Tree(triangulated(surface, execution.phase(0.0, 0.2)), execution.phase(0.2, 1.0))
 {
 }
 

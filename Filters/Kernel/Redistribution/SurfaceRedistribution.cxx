@@ -7,6 +7,7 @@
 #include "Mesh/MeshQuality.h"
 #include "Operators/SpoiledElements.h"
 #include "ParallelLoops.h"
+#include "ParameterRange.h"
 #include "Redistribution/SubSteps.h"
 #include "Redistribution/SurfaceCurves.h"
 #include "Redistribution/SurfaceProjector.h"
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <sstream>
 
 namespace evolving
 {
@@ -41,16 +41,9 @@ void checkInput(const SurfaceMesh& surface, const SurfaceRedistributionOptions& 
     throw InputError("The surface has no faces, expected at least one.");
   }
   checkOptions(options.redistribution);
-  const bool isTimeStep = options.timeStep > 0.0 && options.timeStep <= 1e300;
-  if (!isTimeStep || options.numberOfSteps < 0 ||
-    !(options.featureAngle >= 0.0 && options.featureAngle <= 180.0))
-  {
-    std::ostringstream message;
-    message << "The redistribution has " << options.numberOfSteps << " steps of length "
-            << options.timeStep << " and a feature angle of " << options.featureAngle
-            << ", expected 0 or more steps, a positive length and an angle of 0 to 180 degrees.";
-    throw InputError(message.str());
-  }
+  checkRange("TimeStep", options.timeStep, AboveZero, 1e300, "set 0.1 when in doubt");
+  checkRange("NumberOfSteps", options.numberOfSteps, 0.0, AnyNumber, "0 leaves all as it is");
+  checkRange("FeatureAngle", options.featureAngle, 0.0, 180.0, "set 45 degrees when in doubt");
 }
 
 RedistributionOptions ratesOf(

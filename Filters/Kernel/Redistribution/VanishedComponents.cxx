@@ -24,7 +24,8 @@ VanishedComponents::VanishedComponents(
 
 double VanishedComponents::smallestStartArea() const
 {
-  return *std::min_element(this->StartArea.begin(), this->StartArea.end());
+  const auto smallest = std::min_element(this->StartArea.begin(), this->StartArea.end());
+  return smallest == this->StartArea.end() ? 0.0 : *smallest;
 }
 
 std::vector<double> VanishedComponents::areas(const SurfaceMesh& mesh) const

@@ -35,7 +35,7 @@ public:
   VanishedComponents(
     const SurfaceMesh& start, const MeshTopology& topology, double smallestArea = 0.0);
 
-  /// Of the smallest component at the start.
+  /// Of the smallest component at the start; 0 where there is none.
   double smallestStartArea() const;
 
   void update(const SurfaceMesh& mesh);

@@ -9,6 +9,7 @@
 #ifndef EVOLVING_COLLAPSE_CRITERIA_H
 #define EVOLVING_COLLAPSE_CRITERIA_H
 
+#include "Remeshing/EdgeLengthLimits.h"
 #include "Remeshing/EditableSurface.h"
 #include "Types.h"
 
@@ -18,13 +19,13 @@ namespace evolving
 /// What a collapse may do to the elements around it.
 struct CollapseLimits
 {
-  double longest = 4.0 / 3.0; ///< new edges, relative to their size
-  double leastCosine = 0.5;   ///< between a face's normals before and after
-  double leastQuality = 0.3;  ///< of new faces, unless they are better than the worst before
-  double deepestCut = 0.1;    ///< that a boundary may move, relative to the size
+  double longest = LongestPerSize; ///< new edges, relative to their size
+  double leastCosine = 0.5;        ///< between a face's normals before and after
+  double leastQuality = 0.3;       ///< of new faces, unless they are better than the worst before
+  double deepestCut = 0.1;         ///< that a boundary may move, relative to the size
 };
 
-/// Judges what changes around two vertices that become one; not what does not.
+/// Judges the faces that change when two vertices become one, and no others.
 class CollapseCriteria
 {
 public:

@@ -16,6 +16,7 @@ namespace
 
 /// Of the angle between the normals of a triangle and a corner of it: 30 degrees.
 constexpr double LeastCosine = 0.866;
+/// See the header: with one half the bulge is that of the surface to second order.
 constexpr double Bulge = 0.5;
 
 /**

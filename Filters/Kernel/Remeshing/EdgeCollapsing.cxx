@@ -13,6 +13,8 @@ namespace evolving
 namespace
 {
 
+/// Each sweep makes what is too short up to twice as long: more are not needed for any ratio of
+/// sizes that occurs.
 constexpr int MostSweeps = 20;
 
 /// Who may move where when an edge becomes a point.
@@ -61,7 +63,7 @@ class Collapser
 public:
   Collapser(EditableSurface& surface, const CollapseLimits& guards)
     : Surface(surface)
-    , Judge(surface, guards)
+    , Criteria(surface, guards)
   {
   }
 
@@ -88,7 +90,7 @@ public:
   {
     const Index kept = this->Surface.to(e);
     if (!this->Surface.canCollapse(e) || !this->isWithinCut(e, this->Surface.from(e), kept) ||
-      !this->Judge.accepts(e, kept, this->Surface.point(kept)))
+      !this->Criteria.accepts(e, kept, this->Surface.point(kept)))
     {
       return false;
     }
@@ -102,7 +104,7 @@ private:
     const Index kept = this->Surface.to(e);
     const Vec3 middle =
       0.5 * (this->Surface.point(this->Surface.from(e)) + this->Surface.point(kept));
-    if (!this->Surface.canCollapse(e) || !this->Judge.accepts(e, kept, middle))
+    if (!this->Surface.canCollapse(e) || !this->Criteria.accepts(e, kept, middle))
     {
       return false;
     }
@@ -117,7 +119,7 @@ private:
     const Index kept = this->Surface.from(e);
     const Index heir = this->Surface.to(e);
     if (!this->Surface.canCollapse(e) || !this->isWithinCut(e, heir, kept) ||
-      !this->Judge.accepts(e, kept, this->Surface.point(kept)))
+      !this->Criteria.accepts(e, kept, this->Surface.point(kept)))
     {
       return false;
     }
@@ -128,11 +130,11 @@ private:
 
   bool isWithinCut(Index e, Index vanishing, Index kept) const
   {
-    return this->Surface.opposite(e) != NoIndex || this->Judge.mayCut(vanishing, kept);
+    return this->Surface.opposite(e) != NoIndex || this->Criteria.mayCut(vanishing, kept);
   }
 
   EditableSurface& Surface;
-  CollapseCriteria Judge;
+  CollapseCriteria Criteria;
 };
 
 } // namespace

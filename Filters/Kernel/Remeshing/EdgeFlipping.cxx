@@ -17,8 +17,11 @@ namespace evolving
 namespace
 {
 
+/// Every flip lowers what is minimized, so sweeps end on their own; the later ones find nearly
+/// nothing.
 constexpr int MostSweeps = 8;
-/// Of the angle between the faces' normals, before or after.
+/// Of the angle between the faces' normals, before or after: 37 degrees, below the folds that are
+/// creases by default.
 constexpr double LeastFoldCosine = 0.8;
 
 /// The two faces of an edge as they are and as they would be after a flip.

@@ -30,35 +30,42 @@ bool touchesLockedFace(const EditableSurface& surface, Index e)
 
 } // namespace
 
+Index halveLongEdges(EditableSurface& surface, double ratio)
+{
+  std::vector<std::pair<double, Index>> edges;
+  for (Index e = 0; e < surface.edgeSlots(); ++e)
+  {
+    if (surface.hasEdge(e) && surface.isFirstHalf(e) && !touchesLockedFace(surface, e) &&
+      relativeLength(surface, e) > ratio)
+    {
+      edges.emplace_back(-relativeLength(surface, e), e);
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  Index splits = 0;
+  for (const auto& [length, e] : edges)
+  {
+    // A split beside it may have given the number to a new edge.
+    if (relativeLength(surface, e) > ratio)
+    {
+      surface.split(e, 0.5 * (surface.point(surface.from(e)) + surface.point(surface.to(e))));
+      ++splits;
+    }
+  }
+  return splits;
+}
+
 Index splitLongEdges(EditableSurface& surface, double ratio)
 {
   Index splits = 0;
-  std::vector<std::pair<double, Index>> edges;
   for (int sweep = 0; sweep < MostSweeps; ++sweep)
   {
-    edges.clear();
-    for (Index e = 0; e < surface.edgeSlots(); ++e)
-    {
-      if (surface.hasEdge(e) && surface.isFirstHalf(e) && !touchesLockedFace(surface, e) &&
-        relativeLength(surface, e) > ratio)
-      {
-        edges.emplace_back(-relativeLength(surface, e), e);
-      }
-    }
-    if (edges.empty())
+    const Index halved = halveLongEdges(surface, ratio);
+    if (halved == 0)
     {
       break;
     }
-    std::sort(edges.begin(), edges.end());
-    for (const auto& [length, e] : edges)
-    {
-      // A split beside it may have given the number to a new edge.
-      if (relativeLength(surface, e) > ratio)
-      {
-        surface.split(e, 0.5 * (surface.point(surface.from(e)) + surface.point(surface.to(e))));
-        ++splits;
-      }
-    }
+    splits += halved;
   }
   return splits;
 }

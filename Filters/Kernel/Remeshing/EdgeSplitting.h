@@ -22,6 +22,9 @@ namespace evolving
  */
 Index splitLongEdges(EditableSurface& surface, double ratio);
 
+/// The first of the sweeps of splitLongEdges(): every edge at most once.
+Index halveLongEdges(EditableSurface& surface, double ratio);
+
 } // namespace evolving
 
 #endif

@@ -10,6 +10,7 @@
 #define EVOLVING_EDITABLE_SURFACE_H
 
 #include "Mesh/SurfaceMesh.h"
+#include "Mesh/TriangleView.h"
 #include "Types.h"
 
 #include <vector>
@@ -34,6 +35,8 @@ public:
 
   /// Vertices and faces in order, without those that are no longer used.
   SurfaceMesh mesh() const;
+  /// The same as they stand, for a moment: the surface must be compact.
+  TriangleView triangles() const { return { this->Points, this->Vertex }; }
   /// Numbers vertices and faces anew, in order.
   void compact();
 
@@ -147,6 +150,8 @@ public:
   void takeOver(Index v, Index from);
 
 private:
+  friend class SurfacePatch;
+
   static constexpr unsigned char Pin = 1;
   static constexpr unsigned char Lock = 2;
 

@@ -7,6 +7,7 @@
 #include "Remeshing/EdgeCollapsing.h"
 #include "Remeshing/FaceShape.h"
 #include "Remeshing/StarOptimization.h"
+#include "Remeshing/SurfacePatch.h"
 
 #include <algorithm>
 #include <functional>
@@ -19,18 +20,17 @@ namespace evolving
 namespace
 {
 
-/// A try must raise the smallest angle by so much, in degrees.
+/// A try must raise the smallest angle by so much, in degrees: less is not worth other elements,
+/// and tries could follow each other without end.
 constexpr double LeastGain = 0.3;
-/// Stars are improved up to this angle, and for so many rounds, after each try.
+/// Stars are improved up to this angle, and for so many rounds, after each try, as at the end of a
+/// wrap (FinishTuning::wantedAngle), whose fewer stars need fewer rounds.
 constexpr double WantedAngle = 46.0;
 constexpr int StarRounds = 3;
 /// More bad triangles than this are no place to repair but a surface to remesh.
 constexpr std::size_t MostFaces = 300;
-
-double angleOf(const EditableSurface& surface, Index f)
-{
-  return smallestAngle(surface.corner(f, 0), surface.corner(f, 1), surface.corner(f, 2));
-}
+/// So many rings of vertices around a bad triangle make room for it.
+constexpr int Rings = 2;
 
 /// The vertices within some rings of a few, in ascending order.
 std::vector<Index> ringsAround(
@@ -57,7 +57,7 @@ double smallestAngleAt(const EditableSurface& surface, const std::vector<Index>&
   {
     surface.forEachOutgoing(v,
       [&](Index e)
-      { smallest = std::min(smallest, angleOf(surface, EditableSurface::faceOf(e))); });
+      { smallest = std::min(smallest, smallestAngle(surface, EditableSurface::faceOf(e))); });
   }
   return smallest;
 }
@@ -70,7 +70,7 @@ std::vector<std::pair<double, Index>> badFaces(const EditableSurface& surface, d
   {
     if (surface.hasFace(f))
     {
-      const double angle = angleOf(surface, f);
+      const double angle = smallestAngle(surface, f);
       if (angle < degrees)
       {
         faces.emplace_back(angle, f);
@@ -95,36 +95,44 @@ public:
   {
     this->Corners = { this->Surface.from(3 * face), this->Surface.from(3 * face + 1),
       this->Surface.from(3 * face + 2) };
-    const EditableSurface before = this->Surface;
-    EditableSurface best = before;
-    double bestAngle = smallestAngleAt(before, ringsAround(before, this->Corners, 2)) + LeastGain;
-    bool isBetter = false;
-    const auto attempt = [&](const std::function<bool()>& operation)
+    // Operations change the connectivity within the first ring, and stars move in the second.
+    const std::vector<Index> around = ringsAround(this->Surface, this->Corners, Rings);
+    const SurfacePatch before(this->Surface, around);
+    double bestAngle = smallestAngleAt(this->Surface, around) + LeastGain;
+    std::function<bool()> best;
+    for (const std::function<bool()>& operation : this->operationsOn(face))
     {
-      if (operation())
+      const double angle = operation() ? this->improvedAngle() : 0.0;
+      if (angle > bestAngle)
       {
-        const double angle = this->improvedAngle();
-        if (angle > bestAngle)
-        {
-          bestAngle = angle;
-          best = this->Surface;
-          isBetter = true;
-        }
+        bestAngle = angle;
+        best = operation;
       }
-      this->Surface = before;
-    };
-    for (Index k = 0; k < 3; ++k)
-    {
-      const Index e = 3 * face + k;
-      attempt([&] { return this->flip(e); });
-      attempt([&] { return this->collapse(e); });
+      before.restore(this->Surface);
     }
-    attempt([&] { return this->splitLongest(face); });
-    this->Surface = std::move(best);
-    return isBetter;
+    if (best)
+    {
+      best();
+      this->improvedAngle();
+    }
+    return static_cast<bool>(best);
   }
 
 private:
+  /// Each says whether it was possible.
+  std::vector<std::function<bool()>> operationsOn(Index face)
+  {
+    std::vector<std::function<bool()>> operations;
+    for (Index k = 0; k < 3; ++k)
+    {
+      const Index e = 3 * face + k;
+      operations.emplace_back([this, e] { return this->flip(e); });
+      operations.emplace_back([this, e] { return this->collapse(e); });
+    }
+    operations.emplace_back([this, face] { return this->splitLongest(face); });
+    return operations;
+  }
+
   bool flip(Index e)
   {
     if (!this->Surface.canFlip(e))
@@ -176,7 +184,7 @@ private:
     {
       return 0.0;
     }
-    const std::vector<Index> around = ringsAround(this->Surface, left, 2);
+    const std::vector<Index> around = ringsAround(this->Surface, left, Rings);
     optimizeStarsOf(this->Surface, this->Reference, around, WantedAngle, StarRounds);
     return smallestAngleAt(this->Surface, around);
   }
@@ -202,7 +210,7 @@ Index repairElements(EditableSurface& surface, const ReferenceSurface& reference
   {
     execution.report(0.0);
     // An earlier repair may have been enough, or have taken the face away.
-    if (surface.hasFace(face) && angleOf(surface, face) < degrees &&
+    if (surface.hasFace(face) && smallestAngle(surface, face) < degrees &&
       Repair(surface, reference).run(face))
     {
       ++repaired;

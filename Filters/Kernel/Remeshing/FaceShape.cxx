@@ -34,4 +34,15 @@ double smallestAngle(const Vec3& a, const Vec3& b, const Vec3& c)
   return std::acos(std::min(1.0, cosineOfSmallestAngle(a, b, c))) * DegreesPerRadian;
 }
 
+double cosineOfSmallestAngle(const EditableSurface& surface, Index face)
+{
+  return cosineOfSmallestAngle(
+    surface.corner(face, 0), surface.corner(face, 1), surface.corner(face, 2));
+}
+
+double smallestAngle(const EditableSurface& surface, Index face)
+{
+  return smallestAngle(surface.corner(face, 0), surface.corner(face, 1), surface.corner(face, 2));
+}
+
 } // namespace evolving

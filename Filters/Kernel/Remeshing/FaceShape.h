@@ -9,6 +9,7 @@
 #ifndef EVOLVING_FACE_SHAPE_H
 #define EVOLVING_FACE_SHAPE_H
 
+#include "Remeshing/EditableSurface.h"
 #include "Types.h"
 
 namespace evolving
@@ -22,6 +23,12 @@ double cosineOfSmallestAngle(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// In degrees.
 double smallestAngle(const Vec3& a, const Vec3& b, const Vec3& c);
+
+///@{
+/// Of a face.
+double cosineOfSmallestAngle(const EditableSurface& surface, Index face);
+double smallestAngle(const EditableSurface& surface, Index face);
+///@}
 
 } // namespace evolving
 

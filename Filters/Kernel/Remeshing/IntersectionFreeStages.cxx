@@ -51,8 +51,7 @@ public:
     std::vector<Index> small;
     for (Index f = 0; f < this->Surface.faceSlots(); ++f)
     {
-      const bool isSmall = smallestAngle(this->Surface.corner(f, 0), this->Surface.corner(f, 1),
-                             this->Surface.corner(f, 2)) < leastAngle;
+      const bool isSmall = smallestAngle(this->Surface, f) < leastAngle;
       if (isSmall && !this->Surface.isLockedFace(f))
       {
         small.push_back(f);
@@ -73,13 +72,13 @@ public:
   SurfaceMesh faces() const
   {
     SurfaceMesh faces;
-    const SurfaceMesh all = this->Surface.mesh();
-    faces.points = all.points;
-    for (Index f = 0; f < all.faceCount(); ++f)
+    faces.points = this->Surface.triangles().points();
+    for (Index f = 0; f < this->Surface.faceSlots(); ++f)
     {
       if (this->IsFault[at(f)] != 0)
       {
-        faces.addFace({ all.faceVertex(f, 0), all.faceVertex(f, 1), all.faceVertex(f, 2) });
+        faces.addFace({ this->Surface.from(3 * f), this->Surface.from(3 * f + 1),
+          this->Surface.from(3 * f + 2) });
       }
     }
     return faces;
@@ -106,6 +105,36 @@ void lockAround(EditableSurface& surface, const SurfaceMesh& faces, double sizes
   }
 }
 
+/**
+ * Takes the vertices of intersecting triangles back until none is left, or they intersected before.
+ * @param takeBack changes what the view sees
+ * @return the number of vertices taken back
+ */
+template <class TakeBack>
+Index takeIntersectionsBack(
+  const TriangleView& triangles, const TakeBack& takeBack, const Execution& execution)
+{
+  std::vector<char> isBack(triangles.points().size(), 0);
+  Index count = 0;
+  for (Index countBefore = NoIndex; count != countBefore;)
+  {
+    countBefore = count;
+    for (const auto& [first, second] : selfIntersections(triangles, execution.phase(0.0, 0.0)))
+    {
+      for (const Index face : { first, second })
+      {
+        for (const Index v : triangles.vertices(face))
+        {
+          count += isBack[at(v)] == 0 ? 1 : 0;
+          isBack[at(v)] = 1;
+          takeBack(v);
+        }
+      }
+    }
+  }
+  return count;
+}
+
 } // namespace
 
 Index runWithoutIntersections(EditableSurface& surface, const RemeshingStage& stage,
@@ -117,7 +146,7 @@ Index runWithoutIntersections(EditableSurface& surface, const RemeshingStage& st
   {
     stage(surface);
     surface.compact();
-    const FacePairs pairs = selfIntersections(surface.mesh(), execution.phase(0.0, 0.0));
+    const FacePairs pairs = selfIntersections(surface.triangles(), execution.phase(0.0, 0.0));
     made = run == 1 ? static_cast<Index>(pairs.size()) : made;
     Faults faults(surface);
     if (!pairs.empty() && !untangle(surface, pairs, execution))
@@ -144,50 +173,17 @@ Index moveWithoutIntersections(
   EditableSurface& surface, const RemeshingStage& stage, const Execution& execution)
 {
   surface.compact();
-  const std::vector<Vec3> before = surface.mesh().points;
+  const std::vector<Vec3> before = surface.triangles().points();
   stage(surface);
-  SurfaceMesh mesh = surface.mesh();
-  const Index count = undoIntersections(mesh, before, execution);
-  for (Index v = 0; count > 0 && v < surface.vertexSlots(); ++v)
-  {
-    surface.setPoint(v, mesh.points[at(v)]);
-  }
-  return count;
+  return takeIntersectionsBack(
+    surface.triangles(), [&](Index v) { surface.setPoint(v, before[at(v)]); }, execution);
 }
 
 Index undoIntersections(
   SurfaceMesh& mesh, const std::vector<Vec3>& before, const Execution& execution)
 {
-  std::vector<char> isBack(mesh.points.size(), 0);
-  Index count = 0;
-  const auto takeBack = [&](Index face)
-  {
-    for (Index k = 0; k < 3; ++k)
-    {
-      const Index v = mesh.faceVertex(face, k);
-      count += isBack[at(v)] == 0 ? 1 : 0;
-      isBack[at(v)] = 1;
-      mesh.points[at(v)] = before[at(v)];
-    }
-  };
-  for (;;)
-  {
-    const FacePairs pairs = selfIntersections(mesh, execution.phase(0.0, 0.0));
-    if (pairs.empty())
-    {
-      return count;
-    }
-    const Index countBefore = count;
-    for (const auto& [first, second] : pairs)
-    {
-      takeBack(first);
-      takeBack(second);
-    }
-    if (count == countBefore)
-    {
-      return count; // they intersected before
-    }
-  }
+  return takeIntersectionsBack(
+    triangleView(mesh), [&](Index v) { mesh.points[at(v)] = before[at(v)]; }, execution);
 }
 
 } // namespace evolving

@@ -11,6 +11,7 @@ namespace evolving
 namespace
 {
 
+/// 75 degrees: not yet a right angle, from which on a second move could turn a face over.
 constexpr double LeastCosine = 0.25;
 
 /// Marks the faces that have turned from where their corners were before.

@@ -39,8 +39,8 @@ Triangle triangleOf(const EditableSurface& surface, Index f)
   return { { surface.corner(f, 0), surface.corner(f, 1), surface.corner(f, 2) } };
 }
 
-/// How much of a move each corner of a face makes so that a point of the face makes all of it;
-/// zero when those that are free have too little say.
+/// A point of a face is to make a move: the part of it that each corner makes for that. Pinned
+/// corners and those on features stay; zero where the point is too far from the others.
 Vec3 sharesOf(const EditableSurface& surface, Index f, const Vec3& point)
 {
   Vec3 share = barycentricCoordinates(triangleOf(surface, f), point);
@@ -101,8 +101,7 @@ double smallestAngleOf(const EditableSurface& surface, const std::vector<Index>&
   double smallest = 60.0;
   for (const Index f : faces)
   {
-    smallest = std::min(
-      smallest, smallestAngle(surface.corner(f, 0), surface.corner(f, 1), surface.corner(f, 2)));
+    smallest = std::min(smallest, smallestAngle(surface, f));
   }
   return smallest;
 }

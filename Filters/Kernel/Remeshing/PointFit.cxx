@@ -20,8 +20,10 @@ namespace evolving
 namespace
 {
 
-/// No vertex moves farther than this fraction of its size at once.
+/// No vertex moves farther than this fraction of its size at once: two neighbours that come at each
+/// other do not pass.
 constexpr double LongestMove = 0.5;
+/// Of the moves, which are found anew in the next iteration.
 constexpr double SolverTolerance = 1e-6;
 
 /// A point as a face sees it.

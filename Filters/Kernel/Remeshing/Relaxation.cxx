@@ -14,7 +14,8 @@ namespace evolving
 namespace
 {
 
-/// The centroid of the faces around a vertex, as many to a face as elements of its size would be.
+/// The mean of the centroids of the faces around a vertex. A face weighs as much as the number of
+/// elements of the wanted size that fit into it.
 Vec3 weightedCentroid(const EditableSurface& surface, Index v)
 {
   Vec3 sum = Vec3::Zero();

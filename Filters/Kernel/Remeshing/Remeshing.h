@@ -11,26 +11,30 @@
 
 #include "Execution.h"
 #include "Remeshing/EdgeCollapsing.h"
+#include "Remeshing/EdgeLengthLimits.h"
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/ReferenceSurface.h"
+
+#include <cmath>
 
 namespace evolving
 {
 
-/// Edges between these ratios to their size stay: neither half is nearer to it than the whole.
 struct RemeshingOptions
 {
-  double longest = 4.0 / 3.0;
-  double shortest = 4.0 / 5.0;
-  int relaxations = 3; ///< after each pass
+  double longest = LongestPerSize;   ///< edges stay, relative to their size
+  double shortest = ShortestPerSize; ///< edges stay, likewise
+  int relaxations = 3;               ///< after each pass
   double damping = 0.7;
   CollapseLimits guards;
+  double mostVertices = HUGE_VAL; ///< on the way; what needs more is an InputError
 };
 
 /**
  * One pass: long edges are split, short ones collapsed, edges flipped for even valences, and
  * vertices relaxed along the reference (Botsch, Kobbelt, *A Remeshing Approach to Multiresolution
  * Modeling*, 2004). Sizes must be set. Unused vertices and faces are gone afterwards.
+ * @throws InputError when splitting makes more than mostVertices
  */
 void remeshOnce(EditableSurface& surface, const ReferenceSurface& reference,
   const RemeshingOptions& options, const Execution& execution = {});

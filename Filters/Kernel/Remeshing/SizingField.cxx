@@ -3,7 +3,7 @@
 
 #include "Remeshing/SizingField.h"
 
-#include "ParallelLoops.h"
+#include "Remeshing/VertexCurvature.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,96 +18,10 @@ namespace evolving
 namespace
 {
 
-constexpr int Averages = 2;
+/// Of the logarithm of the error, over seven powers of ten: exact to 1e-11.
 constexpr int Bisections = 40;
 /// Of the largest size: with it edges reach that size where the radius is a million of them.
 constexpr double LeastError = 1e-7;
-
-bool isOnCrease(const EditableSurface& surface, Index e)
-{
-  return surface.curve(e) != NoIndex;
-}
-
-/// The edges that leave a vertex, counter-clockwise, from one on a crease if there is any.
-std::vector<Index> fanFromCrease(const EditableSurface& surface, Index v)
-{
-  std::vector<Index> fan;
-  surface.forEachOutgoing(v, [&](Index e) { fan.push_back(e); });
-  const auto crease =
-    std::find_if(fan.begin(), fan.end(), [&](Index e) { return isOnCrease(surface, e); });
-  if (crease != fan.end() && !surface.isBoundary(v))
-  {
-    std::rotate(fan.begin(), crease, fan.end());
-  }
-  return fan;
-}
-
-/// For each half-edge the normal where it begins, of the faces there up to the next creases.
-std::vector<Vec3> normalsBesideCreases(const EditableSurface& surface)
-{
-  std::vector<Vec3> normals(at(surface.edgeSlots()), Vec3::Zero());
-  for (Index v = 0; v < surface.vertexSlots(); ++v)
-  {
-    const std::vector<Index> fan =
-      surface.hasVertex(v) ? fanFromCrease(surface, v) : std::vector<Index>();
-    for (auto first = fan.begin(); first != fan.end();)
-    {
-      const auto last =
-        std::find_if(first + 1, fan.end(), [&](Index e) { return isOnCrease(surface, e); });
-      Vec3 sum = Vec3::Zero();
-      std::for_each(
-        first, last, [&](Index e) { sum += surface.doubleArea(EditableSurface::faceOf(e)); });
-      const Vec3 normal = sum.stableNormalized();
-      std::for_each(first, last, [&](Index e) { normals[at(e)] = normal; });
-      first = last;
-    }
-  }
-  return normals;
-}
-
-/**
- * Of each vertex the largest curvature of an edge at it, seen from both ends' normals; what folds
- * at a crease does not count.
- */
-std::vector<double> largestEdgeCurvatures(const EditableSurface& surface)
-{
-  const std::vector<Vec3> normals = normalsBesideCreases(surface);
-  std::vector<double> curvatures(at(surface.vertexSlots()), 0.0);
-  for (Index e = 0; e < surface.edgeSlots(); ++e)
-  {
-    if (surface.hasEdge(e))
-    {
-      const Vec3 edge = surface.point(surface.to(e)) - surface.point(surface.from(e));
-      const double turn = (normals[at(EditableSurface::next(e))] - normals[at(e)]).dot(edge);
-      const double curvature = std::abs(turn) / edge.squaredNorm();
-      for (const Index v : { surface.from(e), surface.to(e) })
-      {
-        curvatures[at(v)] = std::max(curvatures[at(v)], curvature);
-      }
-    }
-  }
-  return curvatures;
-}
-
-void averageOverRings(const EditableSurface& surface, std::vector<double>& values)
-{
-  const std::vector<double> old = values;
-  for (Index v = 0; v < surface.vertexSlots(); ++v)
-  {
-    if (surface.hasVertex(v))
-    {
-      double sum = old[at(v)];
-      double count = 1.0;
-      surface.forEachNeighbour(v,
-        [&](Index u)
-        {
-          sum += old[at(u)];
-          count += 1.0;
-        });
-      values[at(v)] = sum / count;
-    }
-  }
-}
 
 double sizeFor(double curvature, double error)
 {
@@ -129,16 +43,6 @@ void setSizes(EditableSurface& surface, const std::vector<double>& curvatures,
       v, std::clamp(sizeFor(curvatures[at(v)], error), sizing.smallest, sizing.largest));
   }
   gradeSizes(surface, sizing.gradation);
-}
-
-std::vector<double> averagedCurvatures(const EditableSurface& surface)
-{
-  std::vector<double> curvatures = largestEdgeCurvatures(surface);
-  for (int i = 0; i < Averages; ++i)
-  {
-    averageOverRings(surface, curvatures);
-  }
-  return curvatures;
 }
 
 } // namespace
@@ -186,7 +90,7 @@ void setUniformSizes(EditableSurface& surface, double size)
 double setSizesForVertexCount(
   EditableSurface& surface, const CurvatureSizing& sizing, double vertices)
 {
-  const std::vector<double> curvatures = averagedCurvatures(surface);
+  const std::vector<double> curvatures = vertexCurvatures(surface);
   // Between errors that clamp every size: more error, fewer vertices.
   double low = LeastError * sizing.largest;
   double high = sizing.largest;
@@ -201,7 +105,7 @@ double setSizesForVertexCount(
 
 void setSizesForError(EditableSurface& surface, const CurvatureSizing& sizing, double error)
 {
-  setSizes(surface, averagedCurvatures(surface), sizing, error);
+  setSizes(surface, vertexCurvatures(surface), sizing, error);
 }
 
 double expectedVertices(const EditableSurface& surface)

@@ -4,6 +4,7 @@
 #include "Remeshing/StarOptimization.h"
 
 #include "Mesh/Angles.h"
+#include "Mesh/Orthogonal.h"
 #include "ParallelLoops.h"
 #include "Remeshing/FaceShape.h"
 #include "Remeshing/OrderedTasks.h"
@@ -81,9 +82,7 @@ private:
   void begin(Index v)
   {
     const Vec3 normal = this->Surface.normal(v);
-    Index axis = 0;
-    normal.cwiseAbs().minCoeff(&axis);
-    this->U = normal.cross(Vec3(Vec3::Unit(axis))).normalized();
+    this->U = orthogonalTo(normal).normalized();
     this->V = normal.cross(this->U);
     this->Normal = normal;
     this->Label = 0;
@@ -190,8 +189,7 @@ std::vector<std::pair<double, Index>> verticesOfBadFaces(
   {
     if (surface.hasFace(f))
     {
-      const double cosine =
-        cosineOfSmallestAngle(surface.corner(f, 0), surface.corner(f, 1), surface.corner(f, 2));
+      const double cosine = cosineOfSmallestAngle(surface, f);
       for (Index k = 0; k < 3 && cosine > limit; ++k)
       {
         double& w = worst[at(surface.from(3 * f + k))];

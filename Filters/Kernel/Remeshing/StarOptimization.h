@@ -20,10 +20,10 @@ namespace evolving
 {
 
 /**
- * A pattern search along the surface for every vertex of a triangle with an angle below `degrees`,
- * the worst first: it moves where the smallest angle of its triangles grows. A vertex keeps its
+ * The vertices of triangles with an angle below `degrees`, the worst first, try places around them
+ * on the surface and go where the smallest angle of their triangles is larger. They keep their
  * height over the reference. Corners, pinned and boundary vertices stay, those on curves slide.
- * Vertices are worked on one after the other, so the result does not depend on threads.
+ * The outcome is that of one vertex after the other, so it does not depend on threads.
  * @param rounds over all such vertices; ends early when none is left or none moves
  * @return the vertices that moved, each counted once per round
  */

@@ -3,6 +3,7 @@
 
 #include "Remeshing/SurfaceFit.h"
 
+#include "Mesh/Orthogonal.h"
 #include "ParallelLoops.h"
 #include "Remeshing/InversionFreeMove.h"
 #include "Remeshing/NormalEquations.h"
@@ -21,10 +22,12 @@ namespace evolving
 namespace
 {
 
-/// No vertex moves farther than this fraction of its size at once.
+/// No vertex moves farther than this fraction of its size at once. Half of what keeps neighbours
+/// from passing each other: the planes that distances are measured to are those of before.
 constexpr double LongestMove = 0.25;
 /// A pull towards staying, relative to the data: where the samples say nothing it decides.
 constexpr double Inertia = 1e-3;
+/// Of the moves, of a quarter of a size at most, which are found anew in the next iteration.
 constexpr double SolverTolerance = 1e-4;
 
 using Mat3 = Eigen::Matrix3d;
@@ -79,11 +82,9 @@ private:
         if (this->Unknown[at(v)] != NoIndex)
         {
           const Vec3 normal = this->Surface.normal(v);
-          Index axis = 0;
-          normal.cwiseAbs().minCoeff(&axis);
           Mat3& frame = this->Frames[at(v)];
           frame.col(0) = normal;
-          frame.col(1) = normal.cross(Vec3(Vec3::Unit(axis))).stableNormalized();
+          frame.col(1) = orthogonalTo(normal).stableNormalized();
           frame.col(2) = normal.cross(Vec3(frame.col(1)));
         }
       });

@@ -14,6 +14,7 @@ namespace evolving
 namespace
 {
 
+/// A fold of one element is gone after the first; where some do not help, more would only smooth.
 constexpr int MostRounds = 3;
 /// More are no small place: smoothing would wear walls away.
 constexpr std::size_t MostPairs = 32;
@@ -60,7 +61,7 @@ bool untangle(
         surface.setPoint(v, middleOfNeighbours(surface, v));
       }
     }
-    pairs = selfIntersections(surface.mesh(), execution.phase(0.0, 0.0));
+    pairs = selfIntersections(surface.triangles(), execution.phase(0.0, 0.0));
   }
   return pairs.empty();
 }

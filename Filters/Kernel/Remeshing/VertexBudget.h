@@ -19,6 +19,12 @@ namespace evolving
 constexpr double MostVertices = 2e6;
 
 /**
+ * How many vertices remeshing makes: those that the area needs, and of needles, however little area
+ * they have, those that come where their long sides are split.
+ */
+double verticesToMake(const EditableSurface& surface);
+
+/**
  * Refuses a surface whose sizes ask for too many vertices, before any is made.
  * @param edgeLength of which the sizes are made, to be named
  * @throws InputError

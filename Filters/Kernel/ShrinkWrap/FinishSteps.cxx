@@ -17,108 +17,77 @@
 namespace evolving
 {
 
-namespace
-{
-
-constexpr int AdaptivePasses = 8;
-constexpr int PolishPasses = 3;
-/// Smallest angles up to this are worth a search, in degrees; and how many rounds of it.
-constexpr double WantedAngle = 46.0;
-constexpr int StarRounds = 5;
-/// Triangles with smaller angles may be replaced by others.
-constexpr double SoundAngle = 42.0;
-/// For a peak's sake angles may fall to this, to recover afterwards.
-constexpr double BearableAngle = 38.0;
-constexpr int PeakRounds = 2;
-/// Adaptive sizes, in those of uniform ones.
-constexpr double SmallestSize = 0.4;
-constexpr double LargestSize = 1.5;
-/// Remeshing ends with this fraction of the vertices that the sizes ask for.
-constexpr double VerticesPerExpected = 0.95;
-/// In sizes.
-constexpr double FarthestPeak = 1.5;
-constexpr double DeepestValley = 0.35;
-/// Samples nearer than this part of the tolerance will be no peaks either.
-constexpr double NearlyPeak = 0.5;
-/// Of the target, to find what the triangles cut off; in sizes.
-constexpr double SampleSpacing = 0.4;
-
-} // namespace
-
-void remeshOften(EditableSurface& surface, const ReferenceSurface& reference, int passes,
-  const Execution& execution)
+void FinishSteps::remesh(EditableSurface& surface, int passes) const
 {
   for (int pass = 0; pass < passes; ++pass)
   {
-    remeshOnce(surface, reference, {}, execution);
+    remeshOnce(surface, this->Reference, {}, this->Run);
   }
 }
 
-void remeshByCurvature(EditableSurface& surface, const ReferenceSurface& reference, double size,
-  const Execution& execution)
+void FinishSteps::remeshByCurvature(EditableSurface& surface) const
 {
-  setUniformSizes(surface, size);
-  const double vertices = expectedVertices(surface) / VerticesPerExpected;
-  const CurvatureSizing sizing{ SmallestSize * size, LargestSize * size };
-  for (int pass = 0; pass < AdaptivePasses; ++pass)
+  setUniformSizes(surface, this->Size);
+  const double vertices = expectedVertices(surface) / this->Tuning.verticesPerExpected;
+  const CurvatureSizing sizing{ this->Tuning.smallestSize * this->Size,
+    this->Tuning.largestSize * this->Size };
+  for (int pass = 0; pass < this->Tuning.adaptivePasses; ++pass)
   {
     setSizesForVertexCount(surface, sizing, vertices);
-    remeshOnce(surface, reference, {}, execution);
+    remeshOnce(surface, this->Reference, {}, this->Run);
   }
 }
 
-void polish(EditableSurface& surface, const ReferenceSurface& reference, const Execution& execution)
+void FinishSteps::polish(EditableSurface& surface) const
 {
-  for (int pass = 0; pass < PolishPasses; ++pass)
+  for (int pass = 0; pass < this->Tuning.polishPasses; ++pass)
   {
-    polishOnce(surface, reference, {}, execution);
+    polishOnce(surface, this->Reference, {}, this->Run);
   }
 }
 
-void improve(
-  EditableSurface& surface, const ReferenceSurface& reference, const Execution& execution)
+void FinishSteps::improve(EditableSurface& surface) const
 {
-  optimizeStars(surface, reference, WantedAngle, StarRounds, execution);
+  optimizeStars(
+    surface, this->Reference, this->Tuning.wantedAngle, this->Tuning.starRounds, this->Run);
 }
 
-void fitAlong(EditableSurface& surface, const ReferenceSurface& reference, double inertia,
-  const Execution& execution)
+void FinishSteps::fitAlong(EditableSurface& surface, double inertia) const
 {
-  fitToReference(surface, reference, { 3, 1.0, inertia }, execution);
+  fitToReference(surface, this->Reference, { 3, 1.0, inertia }, this->Run);
   flipForAngles(surface);
-  improve(surface, reference, execution);
+  this->improve(surface);
   flipForAngles(surface);
-  improve(surface, reference, execution);
+  this->improve(surface);
 }
 
-void fitUpright(
-  EditableSurface& surface, const ReferenceSurface& reference, const Execution& execution)
+void FinishSteps::fitUpright(EditableSurface& surface) const
 {
   constexpr double NormalOnly = std::numeric_limits<double>::infinity();
-  fitToReference(surface, reference, { 2, 1.0, NormalOnly }, execution);
-  improve(surface, reference, execution);
-  fitToReference(surface, reference, { 1, 0.5, NormalOnly }, execution);
-  improve(surface, reference, execution);
+  fitToReference(surface, this->Reference, { 2, 1.0, NormalOnly }, this->Run);
+  this->improve(surface);
+  fitToReference(surface, this->Reference, { 1, 0.5, NormalOnly }, this->Run);
+  this->improve(surface);
 }
 
-void repair(EditableSurface& surface, const ReferenceSurface& reference, const Execution& execution)
+void FinishSteps::repair(EditableSurface& surface) const
 {
-  repairElements(surface, reference, SoundAngle, execution);
+  repairElements(surface, this->Reference, this->Tuning.soundAngle, this->Run);
 }
 
-void reachPeaks(EditableSurface& surface, const ReferenceSurface& reference,
-  const SurfaceMesh& target, double size, double leastAngle, const Execution& execution)
+void FinishSteps::reachPeaks(
+  EditableSurface& surface, const SurfaceMesh& target, double leastAngle) const
 {
   PeakFitOptions options;
-  options.farthest = FarthestPeak * size;
-  options.deepest = DeepestValley * size;
-  PeakFit fit(surface, reference, samplesOf(target, SampleSpacing * size),
-    NearlyPeak * options.tolerance, execution);
-  options.leastAngle = BearableAngle;
-  for (int round = 0; round < PeakRounds; ++round)
+  options.farthest = this->Tuning.farthestPeak * this->Size;
+  options.deepest = this->Tuning.deepestValley * this->Size;
+  PeakFit fit(surface, this->Reference, samplesOf(target, this->Tuning.sampleSpacing * this->Size),
+    this->Tuning.nearlyPeak * options.tolerance, this->Run);
+  options.leastAngle = this->Tuning.bearableAngle;
+  for (int round = 0; round < this->Tuning.peakRounds; ++round)
   {
     fit.run(options);
-    improve(surface, reference, execution);
+    this->improve(surface);
   }
   options.leastAngle = leastAngle;
   fit.run(options);

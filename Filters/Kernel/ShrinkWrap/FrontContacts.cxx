@@ -17,7 +17,8 @@ namespace evolving
 namespace
 {
 
-/// Sides face each other when the cosine between their normals is below this.
+/// Sides face each other when the cosine between their normals is below this: not those of a groove
+/// that opens by more than 37 degrees, which the flow can follow.
 constexpr double FacingCosine = -0.8;
 
 /// Does another side face a point on its way along a ray?

@@ -16,11 +16,11 @@ namespace evolving
 namespace
 {
 
-/// Specks whose box is smaller than this, in cells, cannot carry a surface.
-constexpr double SpeckCells = 4.0;
-/// From unreachable to reachable over this difference in height.
+/// From unreachable to reachable over this difference in height: a radius is 0.8 cells and more, so
+/// it takes a sixth of a cell at least, and levels between do not jump.
 constexpr double SlopeRadii = 0.2;
-/// All samples around a lower point are ones that the ball does not come near to.
+/// All samples around a lower point are ones that the ball does not come near to, at height -1; the
+/// rest is rounding, and where one corner of the cell hardly counts.
 constexpr double DeepRadii = -0.95;
 
 /// Is a sample, or one of the 26 around it, outside?

@@ -44,6 +44,9 @@ public:
   /// Is a sample of the grid, by its number, one that the ball's centre comes to?
   bool contains(std::size_t sample) const { return this->Height.values()[sample] > 0.0F; }
   double radius() const { return this->Radius; }
+  /// How far from a side of the target to look whether the ball comes there: its centre cannot be
+  /// nearer than the radius, and half of that is for a rough or curved side.
+  double probeLength() const { return 1.5 * this->Radius; }
 
 private:
   DistanceGrid Grid;

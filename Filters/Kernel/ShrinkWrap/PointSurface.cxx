@@ -34,24 +34,6 @@ namespace evolving
 namespace
 {
 
-/// Diameters of balls that are tried, in mean distances between points.
-constexpr double SmallestGap = 2.0;
-constexpr double LargestGap = 12.0;
-constexpr double GapStep = 0.5;
-/// A ball that comes in leaves nothing of the inside, or specks: less than this part of what the
-/// best one leaves.
-constexpr double ClosedPart = 0.5;
-/// An inside that is on average thinner than this, in distances between points, is none.
-constexpr double LeastThickness = 0.5;
-/// How near balls come to the points: in cells around an inside, in distances around a sheet.
-constexpr double TouchPerCell = 0.1;
-constexpr double WallPerSpacing = 0.6;
-/// Of the surface's elements, in distances between points.
-constexpr double ElementPerSpacing = 1.2;
-constexpr double Stiffness = 0.5;
-constexpr int FitRounds = 3;
-constexpr int FitIterations = 2;
-
 SurfaceMesh differentPoints(const SurfaceMesh& points)
 {
   std::set<std::tuple<double, double, double>> seen;
@@ -85,8 +67,9 @@ double spreadBesideLine(const SurfaceMesh& points)
 
 void requireExtent(const SurfaceMesh& points)
 {
-  constexpr Index Fewest = 4;
-  constexpr double StraightLine = 1e-6;
+  constexpr Index Fewest = 4; // a tetrahedron
+  constexpr double StraightLine =
+    1e-6; // points stored as floats are as far from a line by rounding
   if (points.vertexCount() < Fewest || spreadBesideLine(points) < StraightLine)
   {
     std::ostringstream message;
@@ -115,11 +98,12 @@ struct Balls
 class PointSurface
 {
 public:
-  PointSurface(
-    const SurfaceMesh& points, const ShrinkWrapOptions& options, const Execution& execution)
+  PointSurface(const SurfaceMesh& points, const ShrinkWrapOptions& options,
+    const PointTuning& tuning, const Execution& execution)
     : Points(differentPoints(points))
     , Bounds(boundingBox(this->Points))
     , Options(options)
+    , Tuning(tuning)
     , Run(execution)
   {
   }
@@ -128,7 +112,7 @@ public:
   {
     requireExtent(this->Points);
     this->Spacing = this->meanSpacing(this->Run.phase(0.0, 0.2));
-    const double largest = std::max(this->Options.gapSize, LargestGap * this->Spacing);
+    const double largest = std::max(this->Options.gapSize, this->Tuning.largestGap * this->Spacing);
     this->Grid = tightGrid(this->Bounds, this->Options.sampleDimensions, 0.5 * largest);
     this->Distance = distanceTo(this->Points, this->Grid, this->Run.phase(0.2, 0.3));
     SurfaceMesh surface = this->leftBy(this->chooseBalls(), this->Run.phase(0.3, 0.6));
@@ -150,7 +134,7 @@ private:
     options.fillCavities = true;
     options.relaxationSweeps = 1;
     const SurfaceMesh surface = isosurface(this->Grid, field, options, execution);
-    const SurfaceMesh kept = dropSmallComponents(surface, 4.0 * this->cell());
+    const SurfaceMesh kept = dropSmallComponents(surface, SpeckCells * this->cell());
     return kept.faceCount() > 0 ? kept : surface;
   }
 
@@ -165,7 +149,8 @@ private:
   /// They leave a wall around the points.
   Balls aroundSheet() const
   {
-    return { 2.0 * SmallestGap * this->Spacing, WallPerSpacing * this->Spacing };
+    return { 2.0 * this->Tuning.smallestGap * this->Spacing,
+      this->Tuning.wallPerSpacing * this->Spacing };
   }
 
   /// Points have no area of their own; the surface around them has.
@@ -192,42 +177,44 @@ private:
 
   Balls chooseBalls() const
   {
-    const double touch = TouchPerCell * this->cell();
+    const double touch = this->Tuning.touchPerCell * this->cell();
     if (this->Options.gapSize > 0.0)
     {
       return { this->Options.gapSize, touch };
     }
     std::vector<double> gaps;
     std::vector<double> volumes;
-    for (double k = SmallestGap; k <= LargestGap; k += GapStep)
+    for (double k = this->Tuning.smallestGap; k <= this->Tuning.largestGap;
+         k += this->Tuning.gapStep)
     {
       gaps.push_back(k * this->Spacing);
       volumes.push_back(this->enclosedBy(gaps.back()));
     }
     const double most = *std::max_element(volumes.begin(), volumes.end());
-    if (most < LeastThickness * this->Spacing * this->Area)
+    if (most < this->Tuning.leastThickness * this->Spacing * this->Area)
     {
       return this->aroundSheet();
     }
-    const auto first = std::find_if(
-      volumes.begin(), volumes.end(), [most](double volume) { return volume > ClosedPart * most; });
+    const auto first = std::find_if(volumes.begin(), volumes.end(),
+      [least = this->Tuning.closedPart * most](double volume) { return volume > least; });
     return { gaps[static_cast<std::size_t>(first - volumes.begin())], touch };
   }
 
   SurfaceMesh fitted(const SurfaceMesh& surface) const
   {
     EditableSurface editable(surface);
-    setUniformSizes(editable, ElementPerSpacing * this->Spacing);
+    setUniformSizes(editable, this->Tuning.elementPerSpacing * this->Spacing);
     runWithoutIntersections(editable, &PointSurface::coarsen, this->Run.phase(0.6, 0.6));
-    for (int round = 0; round < FitRounds; ++round)
+    for (int round = 0; round < this->Tuning.fitRounds; ++round)
     {
-      const double done = 0.6 + 0.4 * round / FitRounds;
+      const double done = 0.6 + 0.4 * round / this->Tuning.fitRounds;
       const Execution now = this->Run.phase(done, done); // parts may run again
       runWithoutIntersections(
         editable,
         [&](EditableSurface& s)
         {
-          fitToPoints(s, this->Points.points, Stiffness, FitIterations, now);
+          fitToPoints(
+            s, this->Points.points, this->Tuning.stiffness, this->Tuning.fitIterations, now);
           remeshOnce(s, CurvedReference(s.mesh(), now), {}, now);
         },
         now);
@@ -250,6 +237,7 @@ private:
   SurfaceMesh Points;
   Box Bounds;
   const ShrinkWrapOptions& Options;
+  const PointTuning& Tuning;
   const Execution& Run;
   double Area = 0.0;
   double Spacing = 0.0;
@@ -259,10 +247,10 @@ private:
 
 } // namespace
 
-SurfaceMesh surfaceAmidst(
-  const SurfaceMesh& points, const ShrinkWrapOptions& options, const Execution& execution)
+SurfaceMesh surfaceAmidst(const SurfaceMesh& points, const ShrinkWrapOptions& options,
+  const Execution& execution, const PointTuning& tuning)
 {
-  return PointSurface(points, options, execution).make();
+  return PointSurface(points, options, tuning, execution).make();
 }
 
 } // namespace evolving

@@ -12,6 +12,7 @@
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
 #include "ShrinkWrap/ShrinkWrapOptions.h"
+#include "ShrinkWrap/WrapTuning.h"
 
 namespace evolving
 {
@@ -28,8 +29,8 @@ namespace evolving
  * @throws InputError for fewer than four different points, or points on a line: they bound nothing
  * @throws Cancelled
  */
-SurfaceMesh surfaceAmidst(
-  const SurfaceMesh& points, const ShrinkWrapOptions& options, const Execution& execution = {});
+SurfaceMesh surfaceAmidst(const SurfaceMesh& points, const ShrinkWrapOptions& options,
+  const Execution& execution = {}, const PointTuning& tuning = {});
 
 } // namespace evolving
 

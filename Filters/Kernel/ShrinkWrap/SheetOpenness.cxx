@@ -14,14 +14,15 @@ namespace evolving
 namespace
 {
 
-/// A sheet's side is probed so many radii of the region's ball away.
-constexpr double ProbeRadii = 1.5;
-/// The way there begins so many radii from the target, and leads away from it in steps of this
-/// fraction of the distance.
+/// The way to where a side is probed begins so many radii from the target, nearer than thin parts
+/// are thick, and leads away from it in steps of this fraction of the distance: not of all of it,
+/// for what is reached may touch another part. Each step makes the distance up to 1.9 times as
+/// large, so seven lead to the probe's length; the others are for ways that bend.
 constexpr double FirstProbe = 0.03;
 constexpr double SureStep = 0.9;
 constexpr int Climbs = 12;
-/// At a sharp edge a triangle's normal leads out on the other side: probes begin farther in.
+/// At a sharp edge a triangle's normal leads out on the other side: probes begin farther in, by as
+/// much as reachable() takes from none to all.
 constexpr double InnerRadii = 0.2;
 /// Less openness may be the grid's doing.
 constexpr double SurelyOpen = 0.5;
@@ -34,7 +35,7 @@ constexpr double SurelyOpen = 0.5;
  */
 double SheetOpenness::reachableFrom(Index triangle, const Vec3& point, const Vec3& side) const
 {
-  const double enough = ProbeRadii * this->Region.radius();
+  const double enough = this->Region.probeLength();
   Vec3 climber = point + FirstProbe * this->Region.radius() * side;
   Index guess = triangle;
   for (int climb = 0; climb < Climbs; ++climb)
@@ -62,7 +63,7 @@ double SheetOpenness::at(Index triangle, const Vec3& point) const
   const double way = inwards.norm();
   const Vec3 place = way > InnerRadii * radius ? Vec3(point + InnerRadii * radius / way * inwards)
                                                : Vec3(point + inwards);
-  const Vec3 probe = ProbeRadii * radius * normal;
+  const Vec3 probe = this->Region.probeLength() * normal;
   if (this->Region.isFarFrom(place + probe) || this->Region.isFarFrom(place - probe))
   {
     return 0.0;

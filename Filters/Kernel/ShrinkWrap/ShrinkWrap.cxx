@@ -3,19 +3,22 @@
 
 #include "ShrinkWrap/ShrinkWrap.h"
 
+#include "Distance/SignedDistance.h"
+#include "Errors.h"
 #include "ParallelLoops.h"
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/SizingField.h"
 #include "Remeshing/TargetSamples.h"
 #include "Remeshing/VertexBudget.h"
 #include "ShrinkWrap/OuterRegion.h"
-#include "ShrinkWrap/WrapFinish.h"
+#include "ShrinkWrap/Shortcomings.h"
 #include "ShrinkWrap/WrapRemesher.h"
 #include "ShrinkWrap/WrapTarget.h"
 #include "StartSurface/BoundingIcosphere.h"
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -25,53 +28,52 @@ namespace evolving
 namespace
 {
 
-/// Positions need no more: remeshing follows.
+/// In edge lengths, about: positions need no more, for remeshing follows.
 constexpr double SolverTolerance = 1e-6;
-/// Squared edge lengths that curvature smooths over in a step. From a sphere more: it draws the
-/// rims of double sheets back (FrontContacts.h).
-constexpr double CurvaturePerStep = 0.1;
-constexpr double SphereCurvaturePerStep = 0.6;
-/// Between membranes over holes, which only a larger D brings in, and the rims of double sheets,
-/// which fall behind their sides with it.
-constexpr double SphereBalance = 0.2;
-/// In edge lengths, a step: when no vertex moves farther than that, the surface has arrived or has
-/// met a membrane; and how far one may move at most.
-constexpr double ArrivedEdges = 0.2;
-constexpr double LongestAdvection = 0.5;
-/// What of the target is farther from the result, in edge lengths, is lost.
-constexpr double LostEdges = 2.0;
-/// Membranes get no nearer.
-constexpr int StallSteps = 15;
-
 /**
  * Zero where the flow is to end: at the offset, or where sheets' walls begin; from there to the
  * target it is near enough to land. What the region contains is outside; next to the target its
  * own sides count, but not where it has sheets.
  */
-std::shared_ptr<const ScalarImage> levelField(
-  const WrapTarget& target, const OuterRegion& region, const WrapReference& reference)
+std::shared_ptr<const ScalarImage> levelField(const WrapTarget& target, TargetFields fields,
+  const OuterRegion& region, const WrapReference& reference)
 {
   const bool hasSheets = reference.hasSheets();
   const double level = hasSheets ? std::max(target.offset, target.wall) : target.offset;
-  std::vector<float> values(target.distance.size());
-  for (std::size_t sample = 0; sample < values.size(); ++sample)
+  for (std::size_t sample = 0; sample < fields.distance.size(); ++sample)
   {
-    const bool isOutside = hasSheets || region.contains(sample);
-    const float distance = isOutside ? target.distance[sample] : target.signedDistance[sample];
-    values[sample] = distance - static_cast<float>(level);
+    const bool isOutside = hasSheets || region.contains(sample) || !fields.isInside[sample];
+    float& value = fields.distance[sample];
+    value = (isOutside ? value : -value) - static_cast<float>(level);
   }
-  return std::make_shared<const ScalarImage>(target.grid, std::move(values));
+  return std::make_shared<const ScalarImage>(target.grid, std::move(fields.distance));
 }
 
 /// An isosurface has about the area that the result will have.
-void requireFewAtTarget(const SurfaceMesh& start, double edgeLength)
+void requireFewAtTarget(const SurfaceMesh& start, const WrapTarget& target)
 {
   EditableSurface surface(start);
-  setUniformSizes(surface, sizeForEdges(edgeLength));
-  requireFewVertices(surface, edgeLength);
+  setUniformSizes(surface, target.elementSize());
+  requireFewVertices(surface, target.edgeLength);
 }
 
-/// A sphere around the target that its flow can leave in triangles of the largest size.
+/// A grid of cells far larger than the target may have no sample inside the start level.
+void requireFaces(const SurfaceMesh& start, const WrapTarget& target, double gapSize)
+{
+  if (start.faceCount() > 0)
+  {
+    return;
+  }
+  std::ostringstream message;
+  message
+    << "SampleDimensions and a GapSize of " << gapSize << " give cells of " << target.cellSize()
+    << " that do not see the input, which is " << target.box.sizes().maxCoeff()
+    << " long, expected cells smaller than the input; set a smaller GapSize, or more samples.";
+  throw InputError(message.str());
+}
+
+/// A sphere around the target, of few triangles: withRightSizes() makes them as small as the
+/// distance asks for. The margin keeps it off the target where that is a sphere itself.
 SurfaceMesh sphereStart(const WrapTarget& target)
 {
   constexpr int Level = 3;
@@ -84,6 +86,7 @@ SurfaceMesh sphereStart(const WrapTarget& target)
 
 FlowOptions flowFor(const WrapTarget& target, const ShrinkWrapOptions& options)
 {
+  const FlowTuning& tuning = target.tuning.flow;
   const double edge = target.edgeLength;
   FlowOptions flow;
   flow.relativeUnits = false;
@@ -91,43 +94,53 @@ FlowOptions flowFor(const WrapTarget& target, const ShrinkWrapOptions& options)
   flow.numberOfSteps = stepsOf(options);
   flow.timeStep = timeStepOf(options);
   flow.advectionSpeed = 1.0;
-  flow.longestAdvection = LongestAdvection;
+  flow.longestAdvection = tuning.longestAdvection;
   // Curvature fades within an element's size of the target.
-  flow.curvatureSpeed = CurvaturePerStep * edge * edge / flow.timeStep;
+  flow.curvatureSpeed = tuning.curvaturePerStep * edge * edge / flow.timeStep;
   flow.curvatureRange = edge * edge;
-  flow.redistribution.angle = 0.8 / flow.timeStep;
+  flow.redistribution.angle = tuning.anglePerStep / flow.timeStep;
   flow.redistribution.angleMethod = AngleMethod::Shape;
   flow.solverTolerance = SolverTolerance;
   if (options.start == WrapStart::Icosphere)
   {
-    flow.advectionBalance = SphereBalance;
-    flow.curvatureSpeed = SphereCurvaturePerStep * edge * edge / flow.timeStep;
-    flow.convergenceTolerance = ArrivedEdges * edge / (0.5 * target.box.diagonal().norm());
-    flow.stallSteps = StallSteps;
+    flow.advectionBalance = tuning.sphereBalance;
+    flow.curvatureSpeed = tuning.sphereCurvaturePerStep * edge * edge / flow.timeStep;
+    flow.convergenceTolerance = tuning.arrivedEdges * edge / (0.5 * target.box.diagonal().norm());
+    flow.stallSteps = tuning.stallSteps;
   }
   return flow;
 }
 
 } // namespace
 
-ShrinkWrapProblem prepareShrinkWrap(
-  const SurfaceMesh& mesh, const ShrinkWrapOptions& options, const Execution& execution)
+int wrapBytesPerSample()
 {
-  const auto target =
-    std::make_shared<const WrapTarget>(describeTarget(mesh, options, execution.phase(0.0, 0.4)));
+  constexpr int Distance = 4;
+  constexpr int Inside = 1;
+  constexpr int Boundary = 6; // its triangles and their tree, measured
+  return Distance + Inside + peakBytesPerSample({}) + Boundary;
+}
+
+ShrinkWrapProblem prepareShrinkWrap(const SurfaceMesh& mesh, const ShrinkWrapOptions& options,
+  const Execution& execution, const WrapTuning& tuning)
+{
+  DescribedTarget described = describeTarget(mesh, options, execution.phase(0.0, 0.4), tuning);
+  const auto target = std::make_shared<const WrapTarget>(std::move(described.target));
+  TargetFields& fields = described.fields;
   const OuterRegion region(
-    target->grid, target->startField, target->startLevel, execution.phase(0.4, 0.5));
+    target->grid, std::move(fields.start), target->startLevel, execution.phase(0.4, 0.5));
   ShrinkWrapProblem problem;
   const auto reference =
     std::make_shared<const WrapReference>(*target, region, execution.phase(0.5, 0.6));
   const auto remesher = std::make_shared<WrapRemesher>(target, reference, options);
-  problem.field = levelField(*target, region, *reference);
+  problem.field = levelField(*target, std::move(fields), region, *reference);
   const SurfaceMesh start = options.start == WrapStart::Icosphere
     ? sphereStart(*target)
     : region.boundary(execution.phase(0.7, 0.8));
   if (options.start == WrapStart::Isosurface)
   {
-    requireFewAtTarget(start, target->edgeLength);
+    requireFaces(start, *target, options.gapSize);
+    requireFewAtTarget(start, *target);
   }
   std::vector<double> distance;
   for (const Vec3& point : start.points)
@@ -140,7 +153,13 @@ ShrinkWrapProblem prepareShrinkWrap(
   problem.remesher = remesher;
   problem.flow = flowFor(*target, options);
   problem.edgeLength = target->edgeLength;
+  problem.modelSize = target->modelSize();
   return problem;
+}
+
+std::size_t bytesOf(const ShrinkWrapProblem& problem)
+{
+  return problem.field->values().size() * sizeof(float) + problem.reference->bytes();
 }
 
 SurfaceReport examineWrap(
@@ -150,10 +169,12 @@ SurfaceReport examineWrap(
   SurfaceReport report = examine(
     surface, [&reference](const Vec3& p) { return reference.deviation(p); },
     execution.phase(0.0, 0.6));
-  const double far = LostEdges * problem.edgeLength + reference.highestLevel();
+  const double far = farDistance(problem.edgeLength, problem.modelSize) + reference.highestLevel();
   measureLoss(surface, samplesOf(reference.visible(), problem.edgeLength), far, report,
     execution.phase(0.6, 1.0));
   report.creases = problem.remesher->creases();
+  report.coarse = findCoarseParts(surface);
+  report.modelSize = problem.modelSize;
   return report;
 }
 

@@ -18,7 +18,9 @@
 #include "ShrinkWrap/SurfaceReport.h"
 #include "ShrinkWrap/WrapReference.h"
 #include "ShrinkWrap/WrapRemesher.h"
+#include "ShrinkWrap/WrapTuning.h"
 
+#include <cstddef>
 #include <memory>
 
 namespace evolving
@@ -33,7 +35,16 @@ struct ShrinkWrapProblem
   FlowOptions flow;                               ///< in absolute units
   std::shared_ptr<const WrapReference> reference; ///< where the result shall lie, exactly
   double edgeLength = 0.0;                        ///< of the result
+  double modelSize = 0.0; ///< the diagonal of the box that the result should fill
 };
+
+/**
+ * Bytes for each sample that prepareShrinkWrap() holds at its peak, on a ball of 100^3 samples: the
+ * distance to the target, the samples that balls come to, what signedDistance() needs for the
+ * distance to their boundary, and the boundary itself. That counts more where balls come to both
+ * sides of a surface (14 bytes there), and less and less on larger grids.
+ */
+int wrapBytesPerSample();
 
 /**
  * @param mesh the target: triangles in any state, or points only; not empty
@@ -41,8 +52,11 @@ struct ShrinkWrapProblem
  * out of range, or ones that ask for more vertices than requireFewVertices() lets pass
  * @throws Cancelled
  */
-ShrinkWrapProblem prepareShrinkWrap(
-  const SurfaceMesh& mesh, const ShrinkWrapOptions& options, const Execution& execution = {});
+ShrinkWrapProblem prepareShrinkWrap(const SurfaceMesh& mesh, const ShrinkWrapOptions& options,
+  const Execution& execution = {}, const WrapTuning& tuning = {});
+
+/// What a problem holds in memory for its flow, the start aside.
+std::size_t bytesOf(const ShrinkWrapProblem& problem);
 
 /**
  * What was reached of a problem.

@@ -3,11 +3,9 @@
 
 #include "ShrinkWrap/ShrinkWrapOptions.h"
 
-#include "Errors.h"
+#include "ParameterRange.h"
 
 #include <cmath>
-#include <sstream>
-#include <tuple>
 
 namespace evolving
 {
@@ -15,12 +13,21 @@ namespace evolving
 namespace
 {
 
+/// Of a cube an edge is then three cells of the default grid long: the grid shows what elements of
+/// that size can carry.
 constexpr double DefaultVertexCount = 9000.0;
+/// As of an input (FloatRange.cxx): distances of this size, and their squares, are floats.
+constexpr double SmallestLength = 1e-31;
+constexpr double LargestLength = 1e31;
 
-/// The start is half an edge length away: after this time a twentieth of that is left.
+/// The flow leaves exp(-time) of a distance. The start is half an edge length away: after this time
+/// a twentieth of that is left. Four steps are the fewest whose explicit part is well within
+/// ExplicitLimits::Advection.
 constexpr double IsosurfaceTime = 3.0;
 constexpr int IsosurfaceSteps = 4;
-/// From a sphere the distance is some hundred times as large.
+/// From a sphere vertices move half an edge of an element in a step at most, and elements are up to
+/// six times as large there (FlowTuning): 50 steps lead 150 edge lengths far, beyond any target of
+/// that many vertices; those left over end by FlowOptions::convergenceTolerance.
 constexpr double IcosphereTime = 25.0;
 constexpr int IcosphereSteps = 50;
 
@@ -28,38 +35,19 @@ constexpr int IcosphereSteps = 50;
 
 bool operator==(const ShrinkWrapOptions& a, const ShrinkWrapOptions& b)
 {
-  const auto values = [](const ShrinkWrapOptions& o)
-  {
-    return std::tie(o.start, o.sampleDimensions, o.targetEdgeLength, o.gapSize, o.adaptToCurvature,
-      o.preserveFeatures, o.featureAngle, o.numberOfSteps, o.offsetDistance);
-  };
-  return values(a) == values(b);
+  return membersOf(a) == membersOf(b);
 }
 
 void checkOptions(const ShrinkWrapOptions& options)
 {
-  std::ostringstream message;
-  for (const double length : { options.targetEdgeLength, options.gapSize, options.offsetDistance })
-  {
-    if (!std::isfinite(length) || length < 0.0)
-    {
-      message << "TargetEdgeLength, GapSize or OffsetDistance is " << length
-              << ", expected a finite length of at least 0; set 0 for an automatic one.";
-      throw InputError(message.str());
-    }
-  }
-  if (!(options.featureAngle >= 0.0 && options.featureAngle <= 180.0))
-  {
-    message << "FeatureAngle is " << options.featureAngle
-            << ", expected 0 to 180 degrees; set 45 when in doubt.";
-    throw InputError(message.str());
-  }
-  if (options.numberOfSteps < 0)
-  {
-    message << "NumberOfSteps is " << options.numberOfSteps
-            << ", expected 0 or more; set 0 for an automatic number.";
-    throw InputError(message.str());
-  }
+  const ShrinkWrapOptions& o = options;
+  constexpr char Automatic[] = "0 means an automatic one";
+  checkRangeOrZero(
+    "TargetEdgeLength", o.targetEdgeLength, SmallestLength, LargestLength, Automatic);
+  checkRange("GapSize", o.gapSize, 0.0, LargestLength, Automatic);
+  checkRange("OffsetDistance", o.offsetDistance, 0.0, LargestLength, "0 is on the input");
+  checkRange("FeatureAngle", o.featureAngle, 0.0, 180.0, "set 45 degrees when in doubt");
+  checkRange("NumberOfSteps", o.numberOfSteps, 0.0, AnyNumber, "0 means an automatic number");
 }
 
 int stepsOf(const ShrinkWrapOptions& options)

@@ -10,6 +10,7 @@
 #define EVOLVING_SHRINK_WRAP_OPTIONS_H
 
 #include <array>
+#include <tuple>
 
 namespace evolving
 {
@@ -26,7 +27,9 @@ struct ShrinkWrapOptions
   WrapStart start = WrapStart::Isosurface;
   std::array<int, 3> sampleDimensions = { 128, 128, 128 };
   double targetEdgeLength = 0.0; ///< 0 = defaultEdgeLength() of the target's area
-  double gapSize = 0.0;          ///< 0 = two cells, and at least the edge length
+  /// Diameter of the gaps to close; 0 = those that the start surface cannot enter, an edge length
+  /// or 1.6 cells wide, and wider cracks where without them nearly nothing would be inside.
+  double gapSize = 0.0;
   bool adaptToCurvature = false; ///< as many elements, smaller ones where the target is curved
   bool preserveFeatures = false; ///< edges and vertices on creases and corners of the target
   double featureAngle = 45.0;    ///< degrees between normals from which an edge is a crease
@@ -34,9 +37,21 @@ struct ShrinkWrapOptions
   double offsetDistance = 0.0;   ///< of the result from the target, outwards
 };
 
+/// All of them: a new one does not compile before it is listed here.
+inline auto membersOf(const ShrinkWrapOptions& options)
+{
+  const auto& [start, sampleDimensions, targetEdgeLength, gapSize, adaptToCurvature,
+    preserveFeatures, featureAngle, numberOfSteps, offsetDistance] = options;
+  return std::tie(start, sampleDimensions, targetEdgeLength, gapSize, adaptToCurvature,
+    preserveFeatures, featureAngle, numberOfSteps, offsetDistance);
+}
+
 bool operator==(const ShrinkWrapOptions& a, const ShrinkWrapOptions& b);
 
-/// @throws InputError for lengths that are negative or not finite, and numbers out of range
+/**
+ * @throws InputError for lengths that are negative, not finite or above 1e31, an edge length below
+ * 1e-31 that is not 0, and numbers out of range
+ */
 void checkOptions(const ShrinkWrapOptions& options);
 
 /// The number of steps, resolved.

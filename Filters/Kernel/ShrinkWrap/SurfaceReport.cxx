@@ -11,22 +11,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace evolving
 {
 
 namespace
 {
-
-/// A result with a smaller angle than this, in degrees, is no good for simulation.
-constexpr double QualityFloor = 20.0;
-/// Slits between parts and the corners of sheets are less of a target.
-constexpr double MostLost = 0.02;
-/// Tips of creases that are less of them all are no loss.
-constexpr double MissingPart = 0.01;
-/// A vertex that stays farther away than this many edge lengths has met a membrane.
-constexpr double MembraneEdges = 2.0;
 
 Vec3 middleOf(const SurfaceMesh& surface, Index face)
 {
@@ -112,56 +102,6 @@ void measureLoss(const SurfaceMesh& surface, const std::vector<Vec3>& samples, d
     report.lostPart = static_cast<double>(lost) / static_cast<double>(samples.size());
     report.lostPlace = samples[static_cast<std::size_t>(farthest)];
   }
-}
-
-std::vector<std::string> shortcomings(const SurfaceReport& report, double edgeLength)
-{
-  std::vector<std::string> sentences;
-  const auto say = [&sentences](const auto&... parts)
-  {
-    std::ostringstream sentence;
-    (sentence << ... << parts);
-    sentences.push_back(sentence.str());
-  };
-  if (!report.isClosed || !report.isManifold)
-  {
-    say("The result is not a closed manifold; use more SampleDimensions.");
-  }
-  if (report.selfIntersections > 0)
-  {
-    say("The result has ", report.selfIntersections, " pairs of triangles that intersect, one at (",
-      report.intersectionPlace.transpose(), "); use a smaller TargetEdgeLength.");
-  }
-  if (report.minAngle < QualityFloor)
-  {
-    say("The smallest angle of the result is ", report.minAngle, " degrees, below ", QualityFloor,
-      ", at (", report.minAnglePlace.transpose(), "); use a smaller TargetEdgeLength.");
-  }
-  if (report.maxDistance > MembraneEdges * edgeLength)
-  {
-    say("A point of the result at (", report.maxDistancePlace.transpose(), ") is ",
-      report.maxDistance, " away from where it should be, more than two edge lengths (",
-      2.0 * edgeLength,
-      "): a membrane was left over a hole or a deep concavity, or the distance grid is too coarse; "
-      "use the Isosurface start, a smaller GapSize or more SampleDimensions.");
-  }
-  if (report.lostPart > MostLost)
-  {
-    say("Of the target, ", std::round(100.0 * report.lostPart),
-      " % is more than two edge lengths (", 2.0 * edgeLength, ") away from the result, some at (",
-      report.lostPlace.transpose(),
-      "): it is thinner than a triangle, or in a gap that was closed; use a smaller "
-      "TargetEdgeLength or GapSize.");
-  }
-  if (report.creases.missing > std::max(edgeLength, MissingPart * report.creases.length))
-  {
-    say("Of the target's creases, ", report.creases.length, " long in all, ",
-      report.creases.missing, " are not on edges of the result, some at (",
-      report.creases.place.transpose(),
-      "): other parts are too near, or the result does not lie on the target there; use a smaller "
-      "TargetEdgeLength, and no OffsetDistance.");
-  }
-  return sentences;
 }
 
 } // namespace evolving

@@ -13,14 +13,18 @@
 #include "Execution.h"
 #include "FeatureCapture/FeatureCoverage.h"
 #include "Mesh/SurfaceMesh.h"
+#include "ShrinkWrap/CoarseParts.h"
 #include "Types.h"
 
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace evolving
 {
+
+/// In edge lengths: what is farther apart on target and result does not stand for each other. Half
+/// of it is what an element may lie beside its place, the rest what it may reach over.
+constexpr double FarEdges = 2.0;
 
 struct SurfaceReport
 {
@@ -36,9 +40,11 @@ struct SurfaceReport
   double lostPart = 0.0;                 ///< of the target's samples, see measureLoss(); 0 to 1
   Vec3 lostPlace = Vec3::Zero();         ///< the farthest of them
   FeatureCoverage creases;               ///< for who made the surface to say
+  CoarseParts coarse;                    ///< likewise
+  double modelSize = 0.0;                ///< likewise: the diagonal of its box; 0 = unknown
 };
 
-/// How far a point is from where the surface is meant to lie. Must not throw.
+/// How far a point is from where the surface is meant to lie.
 using Deviation = std::function<double(const Vec3&)>;
 
 /**
@@ -57,13 +63,6 @@ SurfaceReport examine(
  */
 void measureLoss(const SurfaceMesh& surface, const std::vector<Vec3>& samples, double far,
   SurfaceReport& report, const Execution& execution = {});
-
-/**
- * One sentence for everything that a surface fit for simulation should have and this one has not:
- * what, and where. Empty when all is well.
- * @param edgeLength of its triangles
- */
-std::vector<std::string> shortcomings(const SurfaceReport& report, double edgeLength);
 
 } // namespace evolving
 

@@ -12,6 +12,8 @@ namespace evolving
 namespace
 {
 
+/// One for the cells that the outermost surface passes, one for the differences at their corners,
+/// one for the samples around that OuterRegion looks at.
 constexpr double CellsOfRoom = 3.0;
 
 } // namespace

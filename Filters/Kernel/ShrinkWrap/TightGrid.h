@@ -18,9 +18,8 @@ namespace evolving
 {
 
 /**
- * Cubic cells, as many as asked for along the axis that has the fewest for its length, and on the
- * other axes only as many of them as the box and the room around it need. Three more cells on
- * every side.
+ * Cubic cells, as small as all dimensions allow, and along each axis only as many of them as the
+ * box and the room around it need. Three more cells on every side.
  * @param room around the box, a length
  */
 DistanceGrid tightGrid(const Box& box, const std::array<int, 3>& dimensions, double room);

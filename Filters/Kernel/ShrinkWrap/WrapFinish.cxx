@@ -12,6 +12,7 @@
 #include "Remeshing/SizingField.h"
 #include "ShrinkWrap/FinishSteps.h"
 
+#include <functional>
 #include <optional>
 
 namespace evolving
@@ -20,31 +21,10 @@ namespace evolving
 namespace
 {
 
-constexpr int UniformPasses = 10;
-/// More wear off the acute creases that are to be captured.
-constexpr int PassesBeforeCapture = 4;
-constexpr int CapturePasses = 16;
-constexpr int SettleRounds = 2;
-constexpr int LandingRounds = 4;
-/// Peaks may cost elements their angles down to this, in degrees.
-constexpr double LeastUniformAngle = 44.5;
-constexpr double LeastAdaptedAngle = 42.5;
-/// Small elements must not slip into grooves that are narrower than large ones.
-constexpr double LeastAngleOfAdapted = 15.0;
-/// Creases that leave elements smaller angles than this are let go; remeshing may need some rounds.
-constexpr double LeastFeatureAngle = 30.0;
-constexpr int ReleaseRounds = 3;
-constexpr int ReleasePasses = 2;
-/// To see which creases the result carries: distances on them, and from them, in sizes.
+/// To see which creases the result carries: distances of points on them, four an element, and from
+/// them, in sizes, as much as an element may cut off a bend.
 constexpr double CoverageSpacing = 0.25;
 constexpr double CoverageTolerance = 0.1;
-/// What moving along the surface costs in the first fit: less finds ridges better and leaves worse
-/// elements.
-constexpr double UniformInertia = 1.5;
-constexpr double AdaptedInertia = 0.5;
-/// Farther from their patch, in sizes, faces have no place there.
-constexpr double ReachSizes = 2.0;
-
 class Finish
 {
 public:
@@ -53,7 +33,8 @@ public:
     : Surface(surface)
     , Reference(reference)
     , Options(options)
-    , Size(sizeForEdges(target.edgeLength))
+    , Tuning(target.tuning.finish)
+    , Size(target.elementSize())
     , Offset(target.offset)
     , IsOnTarget(reference.isOnTarget())
     , Run(execution)
@@ -73,13 +54,13 @@ public:
     this->stage(0.05, 0.2, &Finish::remesh);
     if (this->canCapture())
     {
-      this->OnFeatures.emplace(
-        this->Reference, *this->Features, ReachSizes * this->Size, this->Run.phase(0.2, 0.2));
+      this->OnFeatures.emplace(this->Reference, *this->Features,
+        this->Tuning.reachSizes * this->Size, this->Run.phase(0.2, 0.2));
       this->stage(0.2, 0.3, &Finish::capture);
     }
     if (this->Options.adaptToCurvature)
     {
-      this->stage(0.3, 0.5, &Finish::adapt, runForAngles);
+      this->stage(0.3, 0.5, &Finish::adapt, unlessWorse(this->Tuning.leastAngleOfAdapted));
     }
     this->stage(0.5, 0.6, &Finish::polish);
     this->stage(0.6, 0.75, &Finish::fitAlong);
@@ -109,21 +90,16 @@ public:
 private:
   using Work = void (Finish::*)(EditableSurface&, const Execution&) const;
 
-  using Guard = Index (*)(EditableSurface&, const RemeshingStage&, const Execution&);
+  using Guard = std::function<Index(EditableSurface&, const RemeshingStage&, const Execution&)>;
 
-  static Index runForAngles(
-    EditableSurface& surface, const RemeshingStage& stage, const Execution& now)
+  /// What undoes a stage where it makes intersections, or smaller angles than this.
+  static Guard unlessWorse(double leastAngle)
   {
-    return runWithoutIntersections(surface, stage, now, LeastAngleOfAdapted);
+    return [leastAngle](EditableSurface& surface, const RemeshingStage& stage, const Execution& now)
+    { return runWithoutIntersections(surface, stage, now, leastAngle); };
   }
 
-  static Index runAnyAngles(
-    EditableSurface& surface, const RemeshingStage& stage, const Execution& now)
-  {
-    return runWithoutIntersections(surface, stage, now);
-  }
-
-  void stage(double from, double to, Work work, Guard guard = runAnyAngles)
+  void stage(double from, double to, Work work, const Guard& guard = unlessWorse(0.0))
   {
     this->Run.phase(from, to).report(0.0);
     const Execution now = this->Run.phase(from, from); // parts run again and again
@@ -144,6 +120,11 @@ private:
                             : this->Reference;
   }
 
+  FinishSteps steps(const Execution& now) const
+  {
+    return { this->reference(), this->Tuning, this->Size, now };
+  }
+
   FeatureCoverage coverage() const
   {
     return this->Features ? featureCoverage(this->Surface, *this->Features,
@@ -159,7 +140,7 @@ private:
   /// In valleys another place of the target is nearer than the one that a vertex has left.
   void landOften(EditableSurface& surface, const Execution& now) const
   {
-    for (int round = 0; round < LandingRounds; ++round)
+    for (int round = 0; round < this->Tuning.landingRounds; ++round)
     {
       this->land(surface, now);
     }
@@ -167,25 +148,25 @@ private:
 
   void remesh(EditableSurface& surface, const Execution& now) const
   {
-    remeshOften(
-      surface, this->reference(), this->canCapture() ? PassesBeforeCapture : UniformPasses, now);
+    this->steps(now).remesh(
+      surface, this->canCapture() ? this->Tuning.passesBeforeCapture : this->Tuning.uniformPasses);
   }
 
   void capture(EditableSurface& surface, const Execution& now) const
   {
     captureFeatures(surface, *this->Features, now);
-    remeshOften(surface, this->reference(), CapturePasses, now);
+    this->steps(now).remesh(surface, this->Tuning.capturePasses);
   }
 
   void release(EditableSurface& surface, const Execution& now) const
   {
-    for (int round = 0; round < ReleaseRounds; ++round)
+    for (int round = 0; round < this->Tuning.releaseRounds; ++round)
     {
-      if (releaseFeatures(surface, LeastFeatureAngle) == 0)
+      if (releaseFeatures(surface, this->Tuning.leastFeatureAngle) == 0)
       {
         return;
       }
-      remeshOften(surface, this->reference(), ReleasePasses, now);
+      this->steps(now).remesh(surface, this->Tuning.releasePasses);
       this->polish(surface, now);
       this->fitAlong(surface, now);
     }
@@ -193,45 +174,46 @@ private:
 
   void adapt(EditableSurface& surface, const Execution& now) const
   {
-    remeshByCurvature(surface, this->reference(), this->Size, now);
+    this->steps(now).remeshByCurvature(surface);
   }
 
   void polish(EditableSurface& surface, const Execution& now) const
   {
-    evolving::polish(surface, this->reference(), now);
+    this->steps(now).polish(surface);
   }
 
   void fitAlong(EditableSurface& surface, const Execution& now) const
   {
-    const double inertia = this->Options.adaptToCurvature ? AdaptedInertia : UniformInertia;
-    evolving::fitAlong(surface, this->reference(), inertia, now);
+    this->steps(now).fitAlong(surface,
+      this->Options.adaptToCurvature ? this->Tuning.adaptedInertia : this->Tuning.uniformInertia);
   }
 
   void fitUpright(EditableSurface& surface, const Execution& now) const
   {
-    evolving::fitUpright(surface, this->reference(), now);
+    this->steps(now).fitUpright(surface);
   }
 
   void repair(EditableSurface& surface, const Execution& now) const
   {
-    evolving::repair(surface, this->reference(), now);
+    this->steps(now).repair(surface);
   }
 
   void reachPeaks(EditableSurface& surface, const Execution& now) const
   {
-    evolving::reachPeaks(surface, this->reference(), this->Reference.visible(), this->Size,
-      this->Options.adaptToCurvature ? LeastAdaptedAngle : LeastUniformAngle, now);
+    const double leastAngle = this->Options.adaptToCurvature ? this->Tuning.leastAdaptedAngle
+                                                             : this->Tuning.leastUniformAngle;
+    this->steps(now).reachPeaks(surface, this->Reference.visible(), leastAngle);
   }
 
   /// At rims of walls, rounder than elements can be, the fit lifts vertices off: back they go.
   void settle(EditableSurface& surface, const Execution& now) const
   {
-    for (int round = 0; round < SettleRounds; ++round)
+    for (int round = 0; round < this->Tuning.settleRounds; ++round)
     {
       landWhere(
         surface, this->reference(), [this](const Vec3& p) { return this->Reference.isAtSheet(p); },
         now);
-      improve(surface, this->reference(), now);
+      this->steps(now).improve(surface);
     }
   }
 
@@ -240,6 +222,7 @@ private:
   std::optional<TargetFeatures> Features; ///< where creases are to be preserved
   std::optional<FeatureReference> OnFeatures;
   const ShrinkWrapOptions& Options;
+  const FinishTuning& Tuning;
   double Size;
   double Offset;
   bool IsOnTarget;
@@ -247,12 +230,6 @@ private:
 };
 
 } // namespace
-
-double sizeForEdges(double edgeLength)
-{
-  constexpr double Shortening = 0.97;
-  return Shortening * edgeLength;
-}
 
 FinishedWrap finishWrap(const SurfaceMesh& surface, const WrapTarget& target,
   const WrapReference& reference, const ShrinkWrapOptions& options, const Execution& execution)

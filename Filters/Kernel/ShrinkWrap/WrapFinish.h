@@ -20,9 +20,6 @@
 namespace evolving
 {
 
-/// The size that makes remeshing end with edges of a length: it leaves them a little longer.
-double sizeForEdges(double edgeLength);
-
 struct FinishedWrap
 {
   SurfaceMesh surface; ///< without self-intersections: a stage that makes some is undone there

@@ -5,6 +5,7 @@
 
 #include "ParallelLoops.h"
 #include "Remeshing/Barycentric.h"
+#include "ShrinkWrap/SurfaceReport.h"
 #include "ShrinkWrap/TrianglePlaces.h"
 #include "Trees/TriangleGeometry.h"
 
@@ -20,12 +21,11 @@ namespace evolving
 namespace
 {
 
-constexpr double ReachEdges = 2.0;
-/// A point nearer than this to its foot, in levels, does not say on which side it lies.
+/// A point nearer than this to its foot, in levels, does not say on which side it lies: chords of
+/// elements cut so deep.
 constexpr double SureSide = 0.1;
-/// A part is hidden when the ball does not come so many radii near.
-constexpr double ProbeRadii = 1.5;
-/// Where the closest point is on one wall, another may be too near: so often it pushes away.
+/// Where the closest point is on one wall, another may be too near: it pushes away. As often as
+/// walls meet in a corner; less than this part of the level is not pushed any more.
 constexpr int Pushes = 3;
 constexpr double NearlyAtLevel = 0.98;
 
@@ -37,8 +37,7 @@ SurfaceMesh withoutHidden(const SurfaceMesh& surface, const OuterRegion& region)
   for (Index f = 0; f < surface.faceCount(); ++f)
   {
     const Triangle triangle = triangleOf(surface, f);
-    const Vec3 probe =
-      ProbeRadii * region.radius() * triangle.doubleAreaNormal().stableNormalized();
+    const Vec3 probe = region.probeLength() * triangle.doubleAreaNormal().stableNormalized();
     const auto places = placesOf(triangle);
     const bool isHidden = std::all_of(places.begin(), places.end(),
       [&](const Vec3& p) { return region.isFarFrom(p + probe) && region.isFarFrom(p - probe); });
@@ -61,13 +60,27 @@ WrapReference::WrapReference(
       this->Visible, this->Tree, region, target.offset, target.wall, execution.phase(0.3, 0.6)))
   , Offset(target.offset)
   , Wall(target.wall)
-  , Reach(ReachEdges * target.edgeLength)
+  , Reach(FarEdges * target.edgeLength)
 {
   if (this->Levels.triangles.faceCount() != this->Tree.triangleCount())
   {
     this->Tree = AABBTree(this->Levels.triangles, execution.phase(0.6, 0.8));
   }
   this->findSheets(execution.phase(0.8, 1.0));
+}
+
+std::size_t WrapReference::bytes() const
+{
+  // A triangle is held as corners and as measured, and has, by the surface area heuristic, about
+  // two nodes of the binary tree and one of its wide form.
+  constexpr std::size_t OfTree =
+    sizeof(Triangle) + sizeof(MeasuredTriangle<double>) + 3 * sizeof(BoxNode) + 4 * sizeof(Index);
+  // Of the mesh half a vertex.
+  constexpr std::size_t OfMesh = sizeof(Vec3) / 2 + 4 * sizeof(Index);
+  const auto count = [](Index triangles) { return static_cast<std::size_t>(triangles); };
+  return count(this->Visible.faceCount()) * OfMesh +
+    count(this->Levels.triangles.faceCount()) * (OfMesh + 3 * sizeof(double)) +
+    count(this->Tree.triangleCount() + (this->Sheets ? this->Sheets->triangleCount() : 0)) * OfTree;
 }
 
 void WrapReference::findSheets(const Execution& execution)

@@ -17,6 +17,7 @@
 #include "Trees/AABBTree.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -37,7 +38,7 @@ public:
 
   Foot onSurface(const Vec3& point, const Vec3& facing, Index label, Index guess) const override;
 
-  /// Of a point from where the result shall lie next to it.
+  /// How far a point is from where the result is to lie next to it.
   double deviation(const Vec3& point) const;
   /// Is the closest place of the target a sheet that becomes a wall?
   bool isAtSheet(const Vec3& point) const;
@@ -53,6 +54,8 @@ public:
   }
   /// The part of the target that can be reached from outside.
   const SurfaceMesh& visible() const { return this->Visible; }
+  /// About what it holds in memory.
+  std::size_t bytes() const;
 
 private:
   void findSheets(const Execution& execution);

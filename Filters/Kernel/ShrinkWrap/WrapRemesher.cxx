@@ -25,21 +25,16 @@ namespace evolving
 namespace
 {
 
-/// Far from the target elements grow with the distance, up to this many sizes.
-constexpr double Growth = 0.4;
-constexpr double LargestSize = 6.0;
-constexpr double Gradation = 0.3;
-/// Sides of the surface that are far from the target keep this distance, in sizes.
-constexpr double FrontSizes = 1.5;
-
-void setSizesByDistance(EditableSurface& surface, double size, const std::vector<double>& distance)
+/// Far from the target elements grow with the distance.
+void setSizesByDistance(EditableSurface& surface, double size, const std::vector<double>& distance,
+  const FlowTuning& tuning)
 {
   for (Index v = 0; v < surface.vertexSlots(); ++v)
   {
-    const double grown = size + Growth * (std::abs(distance[at(v)]) - size);
-    surface.setSize(v, std::clamp(grown, size, LargestSize * size));
+    const double grown = size + tuning.farGrowth * (std::abs(distance[at(v)]) - size);
+    surface.setSize(v, std::clamp(grown, size, tuning.farLargestSize * size));
   }
-  gradeSizes(surface, Gradation);
+  gradeSizes(surface, tuning.farGradation);
 }
 
 } // namespace
@@ -56,7 +51,7 @@ std::optional<SurfaceMesh> WrapRemesher::remesh(
   const RemeshingInput& input, const Execution& execution)
 {
   SurfaceMesh surface = input.surface;
-  const double thickness = FrontSizes * sizeForEdges(this->Target->edgeLength);
+  const double thickness = this->Target->tuning.flow.frontSizes * this->Target->elementSize();
   keepFrontsApart(surface, input.before, input.distance, thickness, execution.phase(0.0, 0.0));
   undoIntersections(surface, input.before, execution.phase(0.0, 0.0));
   surface = this->withRightSizes(surface, input.distance, execution.phase(0.0, 0.0));
@@ -74,7 +69,7 @@ SurfaceMesh WrapRemesher::withRightSizes(
   const SurfaceMesh& surface, const std::vector<double>& distance, const Execution& execution) const
 {
   EditableSurface editable(surface);
-  setSizesByDistance(editable, sizeForEdges(this->Target->edgeLength), distance);
+  setSizesByDistance(editable, this->Target->elementSize(), distance, this->Target->tuning.flow);
   requireFewVertices(editable, this->Target->edgeLength);
   const RemeshingOptions options;
   runWithoutIntersections(

@@ -22,7 +22,7 @@ namespace evolving
 
 /**
  * Remeshes by size, coarser far from the target, and keeps the surface free of self-intersections:
- * what a step made run through itself goes back to where it was. At the end, finishWrap().
+ * where a step made it run through itself, vertices go back. At the end, finishWrap().
  */
 class WrapRemesher : public Remesher
 {

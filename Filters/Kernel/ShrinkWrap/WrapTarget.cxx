@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <utility>
 
 namespace evolving
 {
@@ -22,22 +24,8 @@ namespace evolving
 namespace
 {
 
-/// A start half an edge length away has the target's holes and handles, and is near enough to
-/// arrive without folds. Nearer than this many cells the grid would show.
-constexpr double StartPerEdge = 0.5;
-constexpr double StartPerCell = 0.8;
-/// Sheets that are reached from both sides become walls of this thickness on either side, in edge
-/// lengths: two layers of triangles closer than that would fold through each other.
-constexpr double WallPerEdge = 0.3;
-/// Cracks up to this many edge lengths wider than the start level closes are looked for, in steps,
-/// and a target counts as closed when it encloses this part of what it encloses without cracks.
-constexpr double LargestCrackEdges = 2.0;
-constexpr double CrackStepEdges = 0.5;
-constexpr double ClosedPart = 0.5;
 /// Of the squared diagonal: faces on a line far from the origin have as much by rounding.
 constexpr double LeastArea = 1e-12;
-/// Openings narrower than this many edge lengths are closed: elements cannot line them.
-constexpr double NarrowEdges = 6.0;
 
 void requireExtent(const Box& box)
 {
@@ -45,6 +33,23 @@ void requireExtent(const Box& box)
   {
     throw InputError("The input is a single point or empty, expected a surface or points with an "
                      "extent; check the file.");
+  }
+}
+
+/// Triangles with longer edges than half the diagonal of a model cannot have its shape.
+void requireShortEdges(const WrapTarget& target)
+{
+  constexpr double LongestEdge = 0.5;
+  constexpr double GoodEdge = 1.0 / 30.0; // what SurfaceReport.h calls far is two of these
+  const double size = target.modelSize();
+  if (target.edgeLength > LongestEdge * size)
+  {
+    std::ostringstream message;
+    message << "TargetEdgeLength is " << target.edgeLength << ", expected at most "
+            << LongestEdge * size
+            << ", half the diagonal of the model, to get a surface of its shape; set "
+            << GoodEdge * size << ", or 0 for an automatic one.";
+    throw InputError(message.str());
   }
 }
 
@@ -74,77 +79,94 @@ SignMethod signFor(const SurfaceMesh& surface)
   return isSure ? SignMethod::Pseudonormal : SignMethod::Unsigned;
 }
 
-std::vector<float> magnitudes(std::vector<float> values)
+/// Takes signs apart from distances: a bit each.
+void splitSigns(std::vector<float> signedDistance, TargetFields& fields)
 {
-  for (float& value : values)
+  fields.isInside.resize(signedDistance.size());
+  for (std::size_t sample = 0; sample < signedDistance.size(); ++sample)
   {
-    value = std::abs(value);
+    fields.isInside[sample] = std::signbit(signedDistance[sample]);
+    signedDistance[sample] = std::abs(signedDistance[sample]);
   }
-  return values;
+  fields.distance = std::move(signedDistance);
 }
 
 /// The volume that a ball of a diameter cannot come into, beside what it touches.
-double enclosedBy(const WrapTarget& target, double diameter, const Execution& execution)
+double enclosedBy(const DistanceGrid& grid, const std::vector<float>& distance, double diameter,
+  const Execution& execution)
 {
-  InsideSamples samples(target.grid, target.distance, 0.5 * diameter, execution);
-  return static_cast<double>(fillCavities(samples, execution)) * target.grid.spacing.prod();
+  InsideSamples samples(grid, distance, 0.5 * diameter, execution);
+  return static_cast<double>(fillCavities(samples, execution)) * grid.spacing.prod();
 }
 
 /**
  * The smallest gap to close for which the target has the inside that it has for larger ones: what
  * the start level lets in by a crack, as beside a lid, is meant to be inside.
  */
-double gapThatCloses(const WrapTarget& target, const Execution& execution)
+double gapThatCloses(
+  const WrapTarget& target, const std::vector<float>& distance, const Execution& execution)
 {
+  const TargetTuning& tuning = target.tuning.target;
   const double least = 2.0 * target.startLevel;
-  const double most = least + LargestCrackEdges * target.edgeLength;
-  const double enclosed = enclosedBy(target, most, execution);
+  const double most = least + tuning.largestCrackEdges * target.edgeLength;
+  const double enclosed = enclosedBy(target.grid, distance, most, execution);
   double gap = least;
-  while (gap < most && enclosedBy(target, gap, execution) < ClosedPart * enclosed)
+  while (
+    gap < most && enclosedBy(target.grid, distance, gap, execution) < tuning.closedPart * enclosed)
   {
-    gap += CrackStepEdges * target.edgeLength;
+    gap += tuning.crackStepEdges * target.edgeLength;
   }
   return gap < most ? gap : (enclosed > 0.0 ? most : least);
 }
 
-SurfaceMesh withoutHoles(const SurfaceMesh& surface, double gapSize, double edgeLength)
+SurfaceMesh withoutHoles(
+  const SurfaceMesh& surface, double gapSize, double narrow, const Execution& execution)
 {
   const std::vector<BoundaryLoop> loops = boundaryLoops(surface);
-  return fillHoles(surface, holesToFill(surface, loops, gapSize, NarrowEdges * edgeLength));
+  return fillHoles(surface, holesToFill(surface, loops, gapSize, narrow), execution);
 }
 
 } // namespace
 
-WrapTarget describeTarget(
-  const SurfaceMesh& mesh, const ShrinkWrapOptions& options, const Execution& execution)
+DescribedTarget describeTarget(const SurfaceMesh& mesh, const ShrinkWrapOptions& options,
+  const Execution& execution, const WrapTuning& tuning)
 {
   checkOptions(options);
   validate(mesh);
-  WrapTarget target;
+  DescribedTarget described;
+  WrapTarget& target = described.target;
+  TargetFields& fields = described.fields;
+  target.tuning = tuning;
+  const TargetTuning& lengths = tuning.target;
   target.box = boundingBox(mesh);
   requireExtent(target.box);
   const bool isPointSet = mesh.faceCount() == 0;
-  target.surface = isPointSet ? surfaceAmidst(mesh, options, execution.phase(0.0, 0.4))
-                              : weldCoincidentPoints(mesh);
+  target.surface = isPointSet
+    ? surfaceAmidst(mesh, options, execution.phase(0.0, 0.4), tuning.points)
+    : weldCoincidentPoints(mesh);
   target.area = surfaceArea(target.surface);
+  target.offset = options.offsetDistance;
   target.edgeLength =
     options.targetEdgeLength > 0.0 ? options.targetEdgeLength : defaultEdgeLength(target.area);
   requireArea(target);
+  requireShortEdges(target);
   const double gap = isPointSet ? 0.0 : options.gapSize;
-  target.surface = withoutHoles(target.surface, gap, target.edgeLength);
-  target.offset = options.offsetDistance;
-  target.wall = WallPerEdge * target.edgeLength;
-  const double room = target.offset + std::max(LargestCrackEdges * target.edgeLength, 0.5 * gap);
+  target.surface = withoutHoles(
+    target.surface, gap, lengths.narrowEdges * target.edgeLength, execution.phase(0.4, 0.5));
+  target.wall = lengths.wallPerEdge * target.edgeLength;
+  const double room =
+    target.offset + std::max(lengths.largestCrackEdges * target.edgeLength, 0.5 * gap);
   target.grid = tightGrid(target.box, options.sampleDimensions, room);
-  target.startLevel =
-    target.offset + std::max(StartPerEdge * target.edgeLength, StartPerCell * target.cellSize());
-  target.signedDistance =
-    distanceTo(target.surface, target.grid, signFor(target.surface), execution.phase(0.5, 0.8));
-  target.distance = magnitudes(target.signedDistance);
-  const double closed = gap > 0.0 ? gap : gapThatCloses(target, execution.phase(0.8, 0.8));
-  target.startField =
-    closeGaps(target.grid, target.distance, target.startLevel, closed, execution.phase(0.8, 1.0));
-  return target;
+  target.startLevel = target.offset +
+    std::max(lengths.startPerEdge * target.edgeLength, lengths.startPerCell * target.cellSize());
+  splitSigns(
+    distanceTo(target.surface, target.grid, signFor(target.surface), execution.phase(0.5, 0.8)),
+    fields);
+  const double closed =
+    gap > 0.0 ? gap : gapThatCloses(target, fields.distance, execution.phase(0.8, 0.8));
+  fields.start =
+    closeGaps(target.grid, fields.distance, target.startLevel, closed, execution.phase(0.8, 1.0));
+  return described;
 }
 
 } // namespace evolving

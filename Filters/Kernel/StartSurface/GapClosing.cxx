@@ -33,11 +33,16 @@ void requireLength(const char* name, double length)
   }
 }
 
+float shifted(float value, double shift)
+{
+  return static_cast<float>(value + shift);
+}
+
 std::vector<float> shifted(std::vector<float> values, double shift)
 {
   for (float& value : values)
   {
-    value = static_cast<float>(value + shift);
+    value = shifted(value, shift);
   }
   return values;
 }
@@ -56,6 +61,7 @@ InsideSamples notReached(const DistanceGrid& grid, const std::vector<float>& dis
 std::vector<float> distanceToBoundary(
   const DistanceGrid& grid, const InsideSamples& samples, double depth, const Execution& execution)
 {
+  // The grid's cells beside the new surface have samples up to the root of 3 cells away from it.
   constexpr double CellsBeyond = 2.0;
   const SurfaceMesh boundary =
     splitQuads(surfaceNet(grid, samples, execution.phase(0.0, 0.3)).mesh);
@@ -69,14 +75,15 @@ std::vector<float> distanceToBoundary(
   return signedDistance(boundary, grid, grid.extent, options, execution.phase(0.3, 1.0)).distance;
 }
 
-/// Lowers the field to depth - distance at the samples inside, and to depth + distance outside,
-/// where that is lower. The boundary has the samples on the sides they are known to be on.
-void lowerTo(std::vector<float>& field, const DistanceGrid& grid, const InsideSamples& inside,
-  const std::vector<float>& toBoundary, double depth, const Execution& execution)
+/// The field is distance - offset, or where that is lower depth - distance to the boundary at the
+/// samples inside and depth + that outside; it takes the place of the distance to the boundary.
+void fillField(std::vector<float>& toBoundary, const DistanceGrid& grid,
+  const InsideSamples& inside, const std::vector<float>& distance, double offset, double depth,
+  const Execution& execution)
 {
   const GridIndex width = grid.dimension(0);
   const GridIndex height = grid.dimension(1);
-  const auto lowerRow = [&](GridIndex row)
+  const auto fillRow = [&](GridIndex row)
   {
     const GridIndex first =
       inside.sample(1, static_cast<int>(row % height) + 1, static_cast<int>(row / height) + 1);
@@ -84,7 +91,8 @@ void lowerTo(std::vector<float>& field, const DistanceGrid& grid, const InsideSa
     {
       const auto s = static_cast<std::size_t>(row * width + i);
       const double side = inside.isInside(first + i) ? -1.0 : 1.0;
-      field[s] = static_cast<float>(std::min<double>(field[s], depth + side * toBoundary[s]));
+      toBoundary[s] = static_cast<float>(
+        std::min<double>(shifted(distance[s], -offset), depth + side * toBoundary[s]));
     }
   };
   execution.forRange(height * grid.dimension(2), RowGrain,
@@ -92,7 +100,7 @@ void lowerTo(std::vector<float>& field, const DistanceGrid& grid, const InsideSa
     {
       for (std::int64_t row = begin; row < end; ++row)
       {
-        lowerRow(row);
+        fillRow(row);
       }
     });
 }
@@ -104,19 +112,18 @@ std::vector<float> closeGaps(const DistanceGrid& grid, const std::vector<float>&
 {
   requireLength("offset", offset);
   requireLength("gap size", gapSize);
-  std::vector<float> field = shifted(distance, -offset);
   const double depth = 0.5 * gapSize - offset;
   if (depth <= 0.0)
   {
-    return field;
+    return shifted(distance, -offset);
   }
   const InsideSamples inside = notReached(grid, distance, 0.5 * gapSize, execution.phase(0.0, 0.3));
-  const std::vector<float> toBoundary =
-    distanceToBoundary(grid, inside, depth, execution.phase(0.3, 0.95));
-  if (!toBoundary.empty())
+  std::vector<float> field = distanceToBoundary(grid, inside, depth, execution.phase(0.3, 0.95));
+  if (field.empty())
   {
-    lowerTo(field, grid, inside, toBoundary, depth, execution);
+    return shifted(distance, -offset);
   }
+  fillField(field, grid, inside, distance, offset, depth, execution);
   execution.report(1.0);
   return field;
 }

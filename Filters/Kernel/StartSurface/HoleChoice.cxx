@@ -14,6 +14,7 @@ namespace evolving
 namespace
 {
 
+/// Measured, see the header: between the holes of scans and the openings of shapes.
 constexpr double LargestHole = 0.02;       ///< as a fraction of its component's area
 constexpr double LargestSumOfHoles = 0.07; ///< likewise
 constexpr double LeastContinuation = 0.4;

@@ -33,7 +33,7 @@ namespace evolving
  * continuations from 0.71 on, an eye of suzanne 0.7 % and 0.75. The holes of a cube that is to
  * keep them span 7.9 % each and 32 % together; the openings of a teapot's parts 0.2 to 79 %,
  * with continuations up to 0.09.
- * And with gap size 0, openings too narrow for the elements to come, as the mouth of a thin pipe.
+ * Also with gap size 0, openings too narrow for elements to enter, as the mouth of a thin pipe.
  * @param loops boundaryLoops(mesh)
  * @param gapSize not negative
  * @param narrow with gap size 0, loops of a smaller diameter are filled in any case, but no

@@ -3,6 +3,7 @@
 
 #include "StartSurface/HoleFilling.h"
 
+#include "Mesh/BoxPairs.h"
 #include "Mesh/PolygonTriangulation.h"
 #include "Mesh/SelfIntersections.h"
 #include "StartSurface/LeastAreaCap.h"
@@ -23,7 +24,9 @@ namespace
 
 using Cap = std::vector<std::array<Index, 3>>;
 
+/// Of a loop, in vertices: n^3 / 6 evaluations (LeastAreaCap.h) are a twentieth of a second then.
 constexpr std::size_t LongestForLeastArea = 300;
+/// Of a cap: each forbids the diagonals that made the last one cross something.
 constexpr int Choices = 5;
 
 /// Edges by the numbers of their ends, in any order.
@@ -79,29 +82,44 @@ void appendCap(SurfaceMesh& mesh, const std::vector<Index>& loop, const Cap& cap
   }
 }
 
-/// The faces whose boxes touch a hole's, within which its cap stays.
+/// For each hole the faces whose boxes touch its own, within which its cap stays.
+std::vector<std::vector<Index>> facesAtHoles(
+  const SurfaceMesh& mesh, const std::vector<BoundaryLoop>& holes, const Execution& execution)
+{
+  std::vector<Box> around(holes.size());
+  for (std::size_t hole = 0; hole < holes.size(); ++hole)
+  {
+    for (const Index vertex : holes[hole].vertices)
+    {
+      around[hole].extend(mesh.points[at(vertex)]);
+    }
+  }
+  std::vector<Box> boxes(at(holes.empty() ? 0 : mesh.faceCount()));
+  for (Index face = 0; face < static_cast<Index>(boxes.size()); ++face)
+  {
+    for (Index k = 0; k < 3; ++k)
+    {
+      boxes[at(face)].extend(mesh.facePoint(face, k));
+    }
+  }
+  return boxesOverlapping(around, boxes, execution);
+}
+
+/// A hole, and the faces that its cap might cross.
 class Surroundings
 {
 public:
-  Surroundings(const SurfaceMesh& mesh, const BoundaryLoop& hole)
+  Surroundings(const SurfaceMesh& mesh, const BoundaryLoop& hole, const std::vector<Index>& faces)
     : Source(mesh)
   {
-    Box around;
     for (const Index vertex : hole.vertices)
     {
-      around.extend(mesh.points[at(vertex)]);
       this->Loop.push_back(this->numberOf(vertex));
     }
-    for (Index face = 0; face < mesh.faceCount(); ++face)
+    for (const Index face : faces)
     {
-      Box box(mesh.facePoint(face, 0));
-      box.extend(mesh.facePoint(face, 1));
-      box.extend(mesh.facePoint(face, 2));
-      if (box.intersects(around))
-      {
-        this->Faces.addFace({ this->numberOf(mesh.faceVertex(face, 0)),
-          this->numberOf(mesh.faceVertex(face, 1)), this->numberOf(mesh.faceVertex(face, 2)) });
-      }
+      this->Faces.addFace({ this->numberOf(mesh.faceVertex(face, 0)),
+        this->numberOf(mesh.faceVertex(face, 1)), this->numberOf(mesh.faceVertex(face, 2)) });
     }
   }
 
@@ -138,14 +156,13 @@ private:
 };
 
 /// The choice with the fewest crossing triangles, which is none nearly always.
-Cap leastAreaCapApart(const SurfaceMesh& mesh, const BoundaryLoop& hole,
+Cap leastAreaCapApart(const Surroundings& surroundings, const BoundaryLoop& hole,
   const std::vector<Vec3>& corners, const EdgeSet& taken)
 {
   EdgeSet avoided;
   const auto isAllowed = [&](Index a, Index b) {
     return !taken.contains(hole.vertices[at(a)], hole.vertices[at(b)]) && !avoided.contains(a, b);
   };
-  const Surroundings surroundings(mesh, hole);
   Cap best;
   std::size_t fewest = std::numeric_limits<std::size_t>::max();
   for (int choice = 0; choice < Choices && fewest > 0; ++choice)
@@ -169,26 +186,33 @@ Cap leastAreaCapApart(const SurfaceMesh& mesh, const BoundaryLoop& hole,
   return best;
 }
 
-Cap capOf(const SurfaceMesh& mesh, const BoundaryLoop& hole, const EdgeSet& taken)
+Cap capOf(const SurfaceMesh& mesh, const BoundaryLoop& hole, const std::vector<Index>& faces,
+  const EdgeSet& taken)
 {
   std::vector<Vec3> corners;
   for (const Index vertex : hole.vertices)
   {
     corners.push_back(mesh.points[at(vertex)] - mesh.points[at(hole.vertices[0])]);
   }
-  return corners.size() > LongestForLeastArea ? triangulatePolygon(corners)
-                                              : leastAreaCapApart(mesh, hole, corners, taken);
+  return corners.size() > LongestForLeastArea
+    ? triangulatePolygon(corners)
+    : leastAreaCapApart(Surroundings(mesh, hole, faces), hole, corners, taken);
 }
 
 } // namespace
 
-SurfaceMesh fillHoles(const SurfaceMesh& mesh, const std::vector<BoundaryLoop>& holes)
+SurfaceMesh fillHoles(
+  const SurfaceMesh& mesh, const std::vector<BoundaryLoop>& holes, const Execution& execution)
 {
   SurfaceMesh filled = mesh;
   EdgeSet taken = edgesAtHoles(mesh, holes);
-  for (const BoundaryLoop& hole : holes)
+  const std::vector<std::vector<Index>> faces =
+    facesAtHoles(mesh, holes, execution.phase(0.0, 0.5));
+  for (std::size_t i = 0; i < holes.size(); ++i)
   {
-    const Cap cap = capOf(mesh, hole, taken);
+    const BoundaryLoop& hole = holes[i];
+    execution.report(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(holes.size()));
+    const Cap cap = capOf(mesh, hole, faces[i], taken);
     appendCap(filled, hole.vertices, cap);
     for (const std::array<Index, 3>& t : cap)
     {

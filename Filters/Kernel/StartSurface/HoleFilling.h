@@ -9,6 +9,7 @@
 #ifndef EVOLVING_HOLE_FILLING_H
 #define EVOLVING_HOLE_FILLING_H
 
+#include "Execution.h"
 #include "Mesh/BoundaryLoops.h"
 #include "Mesh/SurfaceMesh.h"
 
@@ -29,8 +30,10 @@ namespace evolving
  * @param mesh of triangles
  * @param holes of boundaryLoops(mesh)
  * @throws InputError when a face is not a triangle or the mesh does not pass validate()
+ * @throws Cancelled
  */
-SurfaceMesh fillHoles(const SurfaceMesh& mesh, const std::vector<BoundaryLoop>& holes);
+SurfaceMesh fillHoles(
+  const SurfaceMesh& mesh, const std::vector<BoundaryLoop>& holes, const Execution& execution = {});
 
 } // namespace evolving
 

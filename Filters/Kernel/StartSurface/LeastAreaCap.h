@@ -24,9 +24,9 @@ using DiagonalPredicate = std::function<bool(Index, Index)>;
 
 /**
  * The triangulation of a closed polygon in space with the least area, by dynamic programming
- * (Barequet, Sharir 1995). Slivers count as a little more than their area, a tenth at quality 1/10,
- * so that corners on a line give no triangle without area. Simple for every simple planar polygon.
- * Takes n^3 / 6 evaluations and 12 n^2 bytes.
+ * (Barequet, Sharir 1995). Slivers count as a little more than their area, a tenth more at a
+ * quality of 1/10, so that corners on a line give no triangle without area. Simple for every simple
+ * planar polygon. Takes n^3 / 6 evaluations and 12 n^2 bytes.
  * @return numbers of the polygon's corners, three per triangle in rising order; none when there is
  * no triangulation with allowed diagonals
  */

@@ -36,9 +36,9 @@ void requirePlaceable(const Vec3& scale, const Vec3& centre)
   if (!(scale.minCoeff() > 0.0) || !scale.allFinite() || !centre.allFinite())
   {
     std::ostringstream message;
-    message << "The start surface has the half sizes (" << scale.transpose() << ") and the centre ("
-            << centre.transpose()
-            << "), expected positive finite sizes and a finite centre; correct them.";
+    message << "The start surface has a Radius, or half sides, of (" << scale.transpose()
+            << ") and the Center (" << centre.transpose()
+            << "), expected positive finite lengths and a finite place; correct what is not.";
     throw InputError(message.str());
   }
 }

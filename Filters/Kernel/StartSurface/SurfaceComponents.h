@@ -36,6 +36,9 @@ std::vector<SurfaceComponent> surfaceComponents(const SurfaceMesh& mesh);
 /// Only the component of largest area; of equals the first.
 SurfaceMesh keepLargestComponent(const SurfaceMesh& mesh);
 
+/// In cells: specks whose boxes have shorter diagonals cannot carry a surface on that grid.
+constexpr double SpeckCells = 4.0;
+
 /**
  * Without the components whose box has a diagonal shorter than a length (in the input's unit):
  * specks of a noisy field. Vertices and faces keep their order.

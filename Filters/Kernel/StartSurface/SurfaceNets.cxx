@@ -13,7 +13,8 @@ namespace evolving
 namespace
 {
 
-/// The smallest distance of crossings from samples, in edges, and of vertices from cell sides.
+/// The smallest distance of crossings from samples, in edges, and of vertices from cell sides: far
+/// above rounding, and below what a field of floats and a cell's curvature leave unsure.
 constexpr double Inset = 0.02;
 
 /// Where the surface crosses the edge from an inside sample to an outside one, from 0 to 1.

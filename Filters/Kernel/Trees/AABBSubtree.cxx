@@ -46,7 +46,7 @@ Index AABBSubtreeBuilder::addNode(TriangleReferences& references, int level)
   const auto node = static_cast<Index>(this->Result.nodes.size());
   this->Result.nodes.emplace_back();
   const FloatBox box = boxAround(references);
-  this->Result.nodes.back().box = this->inflated(box);
+  this->Result.nodes.back().box = this->nodeBox(box);
   this->Result.levels.push_back(static_cast<std::int8_t>(level));
   TriangleReferences left;
   TriangleReferences right;
@@ -118,8 +118,8 @@ void AABBSubtreeBuilder::clip(
   Box above;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const Vec3& from = triangle.corners[k];
-    const Vec3& to = triangle.corners[(k + 1) % 3];
+    const Vec3 from = this->Frame.local(triangle.corners[k]);
+    const Vec3 to = this->Frame.local(triangle.corners[(k + 1) % 3]);
     // A corner in the plane belongs to both parts.
     if (from[axis] <= plane)
     {

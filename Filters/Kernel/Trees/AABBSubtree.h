@@ -11,6 +11,7 @@
 
 #include "Trees/BoxNode.h"
 #include "Trees/FloatBox.h"
+#include "Trees/RootFrame.h"
 #include "Trees/SurfaceAreaSplit.h"
 #include "Trees/TriangleGeometry.h"
 #include "Types.h"
@@ -21,7 +22,7 @@
 namespace evolving
 {
 
-/// A triangle and the box of its part in a node, rounded outwards.
+/// A triangle and the box of its part in a node, rounded outwards, in the root's frame.
 struct TriangleReference
 {
   Index triangle = NoIndex;
@@ -37,16 +38,17 @@ struct AABBSubtree
   std::vector<BoxNode> nodes; ///< parents before children
   std::vector<std::int8_t> levels;
   std::vector<Index> leafTriangles;
-  std::vector<FloatBox> leafBoxes; ///< around the part of each leaf triangle
+  std::vector<FloatBox> leafBoxes; ///< around the part of each leaf triangle, in the root's frame
 };
 
 /// Divides references until leaves are left. One for each thread.
 class AABBSubtreeBuilder
 {
 public:
-  /// @param epsilon by which boxes are inflated
-  AABBSubtreeBuilder(const std::vector<Triangle>& triangles, double epsilon)
+  /// @param epsilon by which boxes are inflated, in the root's frame
+  AABBSubtreeBuilder(const std::vector<Triangle>& triangles, const RootFrame& frame, double epsilon)
     : Triangles(triangles)
+    , Frame(frame)
     , Epsilon(epsilon)
   {
   }
@@ -57,15 +59,18 @@ public:
   /// pay.
   bool split(const TriangleReferences& references, const FloatBox& box, int level,
     TriangleReferences& left, TriangleReferences& right);
-  Box inflated(const FloatBox& box) const;
+  /// The box of references, inflated, in the model's coordinates.
+  Box nodeBox(const FloatBox& box) const { return this->Frame.global(this->inflated(box)); }
 
 private:
   Index addNode(TriangleReferences& references, int level);
   /// Shrinks the halves of a reference to its triangle's parts on the two sides of a plane.
   void clip(TriangleReference& left, TriangleReference& right, int axis, float position) const;
+  Box inflated(const FloatBox& box) const;
   void fillLeaf(Index node, const TriangleReferences& references);
 
   const std::vector<Triangle>& Triangles;
+  const RootFrame& Frame;
   double Epsilon;
   std::vector<SplitInterval> Intervals;
   AABBSubtree Result;

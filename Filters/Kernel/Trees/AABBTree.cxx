@@ -177,9 +177,9 @@ std::vector<RayHit> AABBTree::hits(const Ray& ray) const
       const Index* triangles = this->LeafTriangles.data() + leaf.firstTriangle;
       for (Index k = 0; k < leaf.triangleCount; ++k)
       {
-        if (const auto parameter = ray.hit(this->triangle(triangles[k])))
+        if (const auto crossing = ray.crossing(this->triangle(triangles[k])))
         {
-          found.push_back({ triangles[k], *parameter });
+          found.push_back({ triangles[k], crossing->parameter, crossing->isFromBehind });
         }
       }
       return false;

@@ -37,6 +37,7 @@ struct RayHit
 {
   Index triangle = NoIndex;
   double parameter = 0.0;
+  bool isFromBehind = false;
 };
 
 /**

@@ -5,10 +5,29 @@
 
 #include "ParallelLoops.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace evolving
 {
+
+namespace
+{
+
+/// Far above the rounding of coordinates, far below anything a triangle could hide behind.
+double epsilonFor(const Box& root, const RootFrame& frame)
+{
+  constexpr double RelativeEpsilon = 1e-7; // of the longest side
+  // Nodes are handed out in the model's coordinates, which may be far coarser than the model.
+  constexpr double Rounding = 4.0 * std::numeric_limits<double>::epsilon();
+  const double farthest =
+    std::max(root.min().cwiseAbs().maxCoeff(), root.max().cwiseAbs().maxCoeff());
+  const double epsilon = std::max(RelativeEpsilon * root.sizes().maxCoeff(), Rounding * farthest);
+  return frame.inverseHalfSize() * epsilon;
+}
+
+} // namespace
 
 void AABBTreeBuilder::build(AABBTree& tree, const Execution& execution)
 {
@@ -19,7 +38,7 @@ void AABBTreeBuilder::build(AABBTree& tree, const Execution& execution)
     builder.addUpper(std::move(references), 0);
     builder.buildSubtrees();
     builder.append(builder.Upper.front());
-    tree.Near = WideBoxTree(tree.Nodes, tree.LeafTriangles, builder.LeafBoxes);
+    tree.Near = WideBoxTree(tree.Nodes, tree.LeafTriangles, builder.LeafBoxes, builder.Frame);
   }
   execution.report(1.0);
 }
@@ -28,14 +47,12 @@ AABBTreeBuilder::AABBTreeBuilder(AABBTree& tree, const Execution& execution)
   : Tree(tree)
   , Run(execution)
 {
-  Box root;
-  for (const Triangle& triangle : tree.Triangles)
+  const Box root = tree.bounds();
+  if (!root.isEmpty())
   {
-    root.extend(triangle.box());
+    this->Frame = RootFrame(root);
+    this->Epsilon = epsilonFor(root, this->Frame);
   }
-  // Far above the rounding of coordinates, far below anything a triangle could hide behind.
-  constexpr double RelativeEpsilon = 1e-7;
-  this->Epsilon = root.isEmpty() ? 0.0 : RelativeEpsilon * root.sizes().maxCoeff();
 }
 
 TriangleReferences AABBTreeBuilder::allTriangles() const
@@ -43,7 +60,7 @@ TriangleReferences AABBTreeBuilder::allTriangles() const
   TriangleReferences references(this->Tree.Triangles.size());
   forEachIndex(this->Run, this->Tree.triangleCount(),
     [&](Index i) {
-      references[at(i)] = { i, roundedOutwards(this->Tree.triangle(i).box()) };
+      references[at(i)] = { i, roundedOutwards(this->Frame.local(this->Tree.triangle(i).box())) };
     });
   return references;
 }
@@ -53,7 +70,7 @@ std::size_t AABBTreeBuilder::addUpper(TriangleReferences references, int level)
   constexpr int UpperLevels = 6;
   constexpr std::size_t WorthAThread = 1000;
   this->Run.report(0.0);
-  AABBSubtreeBuilder builder(this->Tree.Triangles, this->Epsilon);
+  AABBSubtreeBuilder builder(this->Tree.Triangles, this->Frame, this->Epsilon);
   const std::size_t number = this->Upper.size();
   this->Upper.emplace_back();
   this->Upper[number].level = level;
@@ -63,7 +80,7 @@ std::size_t AABBTreeBuilder::addUpper(TriangleReferences references, int level)
   if (level < UpperLevels && references.size() > WorthAThread &&
     builder.split(references, box, level, left, right))
   {
-    this->Upper[number].box = builder.inflated(box);
+    this->Upper[number].box = builder.nodeBox(box);
     TriangleReferences().swap(references);
     const std::size_t leftNumber = this->addUpper(std::move(left), level + 1);
     const std::size_t rightNumber = this->addUpper(std::move(right), level + 1);
@@ -87,7 +104,7 @@ void AABBTreeBuilder::buildSubtrees()
         UpperNode& upper = this->Upper[static_cast<std::size_t>(i)];
         if (!upper.hasHalves())
         {
-          AABBSubtreeBuilder builder(this->Tree.Triangles, this->Epsilon);
+          AABBSubtreeBuilder builder(this->Tree.Triangles, this->Frame, this->Epsilon);
           upper.subtree = builder.build(std::move(upper.references), upper.level);
         }
       }

@@ -13,6 +13,7 @@
 #include "Trees/AABBSubtree.h"
 #include "Trees/AABBTree.h"
 #include "Trees/FloatBox.h"
+#include "Trees/RootFrame.h"
 #include "Types.h"
 
 #include <cstddef>
@@ -52,7 +53,8 @@ private:
 
   AABBTree& Tree;
   const Execution& Run;
-  double Epsilon = 0.0;
+  RootFrame Frame;
+  double Epsilon = 0.0; ///< in the frame
   std::vector<UpperNode> Upper;
   std::vector<FloatBox> LeafBoxes;
 };

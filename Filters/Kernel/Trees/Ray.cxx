@@ -36,7 +36,7 @@ Ray::Ray(const Vec3& origin, const Vec3& direction)
   this->Shear = Vec3(direction[this->Axes[0]], direction[this->Axes[1]], 1.0) / direction[longest];
 }
 
-std::optional<double> Ray::hit(const Triangle& triangle) const
+std::optional<RayCrossing> Ray::crossing(const Triangle& triangle) const
 {
   // Sheared so that the ray is the third axis: the crossing becomes a question about the
   // origin and a triangle in the plane.
@@ -63,7 +63,12 @@ std::optional<double> Ray::hit(const Triangle& triangle) const
     return std::nullopt;
   }
   const double t = (weight[0] * p[0].z() + weight[1] * p[1].z() + weight[2] * p[2].z()) / total;
-  return t >= 0.0 ? std::optional<double>(t) : std::nullopt;
+  if (!(t >= 0.0))
+  {
+    return std::nullopt;
+  }
+  // Counter-clockwise about the third axis: the normal points along it.
+  return RayCrossing{ t, positive[0] == (this->Direction[this->Axes[2]] > 0.0) };
 }
 
 bool Ray::meets(const Box& box) const

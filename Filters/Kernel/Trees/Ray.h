@@ -18,6 +18,13 @@
 namespace evolving
 {
 
+/// Where a ray crosses a triangle.
+struct RayCrossing
+{
+  double parameter = 0.0; ///< >= 0
+  bool isFromBehind = false;
+};
+
 /**
  * A ray prepared for many triangles (Woop, Benthin, Wald, Watertight Ray/Triangle Intersection,
  * 2013). A ray through an edge shared by two triangles hits exactly one of them if it passes
@@ -29,8 +36,14 @@ public:
   /// @param direction not zero; its length is the unit of the ray's parameter
   Ray(const Vec3& origin, const Vec3& direction);
 
-  /// The parameter, >= 0, at which the ray crosses the triangle; none when it does not.
-  std::optional<double> hit(const Triangle& triangle) const;
+  /// None when the ray does not cross the triangle.
+  std::optional<RayCrossing> crossing(const Triangle& triangle) const;
+  /// The parameter only.
+  std::optional<double> hit(const Triangle& triangle) const
+  {
+    const std::optional<RayCrossing> found = this->crossing(triangle);
+    return found ? std::optional<double>(found->parameter) : std::nullopt;
+  }
   /// Does the ray meet a closed box?
   bool meets(const Box& box) const;
 

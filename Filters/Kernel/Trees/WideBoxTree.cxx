@@ -4,7 +4,6 @@
 #include "Trees/WideBoxTree.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace evolving
@@ -42,13 +41,12 @@ public:
   {
     if (!this->Nodes.empty())
     {
-      this->measureFrom(this->Nodes.front().box);
       this->add(0);
     }
   }
 
 private:
-  /// A node of the binary tree, or a triangle of a leaf.
+  /// A node of the binary tree, or a triangle of a leaf; its box in the root's frame.
   struct Part
   {
     Box box;
@@ -59,17 +57,6 @@ private:
 
   static constexpr std::size_t Width = BoxRow::Length;
 
-  /// Beyond what floats hold, everything passes.
-  void measureFrom(const Box& root)
-  {
-    const double inverse = 2.0 / root.sizes().maxCoeff();
-    if (std::isnormal(inverse) && root.center().allFinite())
-    {
-      this->Tree.Middle = root.center();
-      this->Tree.InverseHalfSize = inverse;
-    }
-  }
-
   const BoxNode& node(Index number) const { return this->Nodes[static_cast<std::size_t>(number)]; }
 
   void appendPartsOf(Index number, Parts& parts) const
@@ -79,7 +66,7 @@ private:
     {
       if (child != NoIndex)
       {
-        parts.push_back({ this->node(child).box, child, NoIndex });
+        parts.push_back({ this->Tree.Frame.local(this->node(child).box), child, NoIndex });
       }
     }
     for (Index k = node.firstTriangle; k < node.firstTriangle + node.triangleCount; ++k)
@@ -154,7 +141,7 @@ private:
   void append(Index number, Index child, const Box& box)
   {
     WideBoxTree::Node& node = this->Tree.Nodes[static_cast<std::size_t>(number)];
-    node.boxes.set(node.childCount, this->local(box));
+    node.boxes.set(node.childCount, roundedOutwards(box));
     node.children[static_cast<std::size_t>(node.childCount)] = child;
     ++node.childCount;
   }
@@ -162,12 +149,6 @@ private:
   Index childOf(const Part& part)
   {
     return part.node == NoIndex ? ~part.triangle : this->add(part.node);
-  }
-
-  FloatBox local(const Box& box) const
-  {
-    return roundedOutwards(Box(this->Tree.InverseHalfSize * (box.min() - this->Tree.Middle),
-      this->Tree.InverseHalfSize * (box.max() - this->Tree.Middle)));
   }
 
   static Box boxOf(const Parts& parts)
@@ -187,7 +168,8 @@ private:
 };
 
 WideBoxTree::WideBoxTree(const std::vector<BoxNode>& nodes, const std::vector<Index>& leafTriangles,
-  const std::vector<FloatBox>& leafBoxes)
+  const std::vector<FloatBox>& leafBoxes, const RootFrame& frame)
+  : Frame(frame)
 {
   WideBoxTreeBuilder(*this, nodes, leafTriangles, leafBoxes).run();
 }

@@ -11,6 +11,7 @@
 
 #include "Trees/BoxNode.h"
 #include "Trees/FloatBox.h"
+#include "Trees/RootFrame.h"
 #include "Types.h"
 
 #include <Eigen/Core>
@@ -52,8 +53,8 @@ private:
 
 /**
  * A binary tree of boxes over triangles with three of its levels in one, and the boxes of a
- * leaf's triangles in place of the leaf's. Its floats count from the middle of the root in half
- * sizes of it; their rounding lets a triangle too much pass, never one too few.
+ * leaf's triangles in place of the leaf's. Its floats count in the root's frame; their rounding may
+ * let a triangle pass in vain, but never hides one.
  */
 class WideBoxTree
 {
@@ -62,10 +63,10 @@ public:
   /**
    * @param nodes of the binary tree, the root first
    * @param leafTriangles of all leaves one after the other
-   * @param leafBoxes around the part of each in its leaf
+   * @param leafBoxes around the part of each in its leaf, in the root's frame
    */
   WideBoxTree(const std::vector<BoxNode>& nodes, const std::vector<Index>& leafTriangles,
-    const std::vector<FloatBox>& leafBoxes);
+    const std::vector<FloatBox>& leafBoxes, const RootFrame& frame);
 
   /**
    * Calls squaredBound = visit(triangle) for those whose boxes come at least as near to a point
@@ -96,18 +97,16 @@ private:
   Eigen::Vector3f local(const Vec3& point) const
   {
     constexpr double Farthest = 1e6;
-    const Vec3 inHalfSizes = this->InverseHalfSize * (point - this->Middle);
-    return inHalfSizes.cwiseMax(-Farthest).cwiseMin(Farthest).cast<float>();
+    return this->Frame.local(point).cwiseMax(-Farthest).cwiseMin(Farthest).cast<float>();
   }
   float localSquare(double square) const
   {
     constexpr double RoundedUp = 1.0 + 1e-6;
-    return static_cast<float>(RoundedUp * this->InverseHalfSize * this->InverseHalfSize * square);
+    return static_cast<float>(RoundedUp * this->Frame.localSquare(square));
   }
 
   std::vector<Node> Nodes;
-  Vec3 Middle = Vec3::Zero();
-  double InverseHalfSize = 1.0;
+  RootFrame Frame;
 };
 
 template <typename Visit>

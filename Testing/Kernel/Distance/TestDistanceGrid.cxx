@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 using namespace evolving;
@@ -94,6 +95,15 @@ TEST(GridAround, GivesPositiveSpacingToBoxesWithoutExtent)
 TEST(GridAround, RefusesEmptyDimensions)
 {
   EXPECT_THROW(gridAround(Box(Vec3(0, 0, 0), Vec3(1, 1, 1)), { 4, 0, 4 }, 0.1), InputError);
+}
+
+TEST(GridAround, RefusesAPaddingThatIsNoNumber)
+{
+  const Box box(Vec3(0, 0, 0), Vec3(1, 1, 1));
+  for (const double padding : { std::nan(""), HUGE_VAL, -0.1 })
+  {
+    EXPECT_THROW(gridAround(box, { 4, 4, 4 }, padding), InputError);
+  }
 }
 
 TEST(GridOver, HasTheBoxsCornersWhateverTheCells)

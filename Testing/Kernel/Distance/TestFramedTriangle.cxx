@@ -78,3 +78,23 @@ TEST(FramedTriangle, OfASegmentOrAPointHasNoInside)
   }
   EXPECT_NEAR(FramedTriangle(segment, 0).length, 3.0, 1e-6);
 }
+
+TEST(FramedTriangle, SmallerThanSquaresAreExactHasAFrameOfUnitVectors)
+{
+  for (const double length : { 1e-150, 1e-160, 3e-162, 1e-170, 1e-310 })
+  {
+    const Vec3 tip(0.6 * length, 0.8 * length, 0.0);
+    const Triangle segment{ { Vec3::Zero(), tip, tip } };
+    const Triangle sliver{ { Vec3::Zero(), Vec3(1, 0, 0), tip } };
+    for (const Triangle& triangle : { segment, sliver })
+    {
+      const FramedTriangle framed(triangle, 0);
+      EXPECT_NEAR(vector(framed.along).norm(), 1.0, 1e-6) << length;
+      EXPECT_NEAR(vector(framed.normal).norm(), 1.0, 1e-6) << length;
+      for (const FramedTriangle::Edge& edge : { framed.second, framed.third })
+      {
+        EXPECT_NEAR(std::hypot(edge.directionX, edge.directionY), 1.0, 1e-6) << length;
+      }
+    }
+  }
+}

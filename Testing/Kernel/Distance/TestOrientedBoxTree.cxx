@@ -152,3 +152,19 @@ TEST(OrientedBox, OfOppositeTrianglesSegmentsAndPointsHasAFrame)
   EXPECT_EQ(orientedBoxAround({ &point }).halfSize, Vec3(0, 0, 0));
   EXPECT_EQ(orientedBoxAround({ &point }).center, Vec3(1, 1, 1));
 }
+
+TEST(OrientedBox, OfTrianglesSmallerThanSquaresAreExactHasAxesOfUnitLength)
+{
+  for (const double length : { 1e-150, 1e-160, 3e-162, 1e-170, 1e-310 })
+  {
+    const Vec3 tip(0.6 * length, 0.8 * length, 0.0);
+    const Triangle segment{ { Vec3::Zero(), tip, tip } };
+    const Triangle sliver{ { Vec3::Zero(), Vec3(1, 0, 0), tip } };
+    for (const Triangle& triangle : { segment, sliver })
+    {
+      const Eigen::Matrix3d axes = orientedBoxAround({ &triangle }).axes;
+      EXPECT_NEAR((axes.transpose() * axes - Eigen::Matrix3d::Identity()).norm(), 0.0, 1e-12)
+        << length;
+    }
+  }
+}

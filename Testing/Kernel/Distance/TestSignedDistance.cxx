@@ -188,12 +188,15 @@ TEST(SignedDistance, ClampsToTheBand)
   const DistanceGrid grid = gridAround(boundingBox(mesh), { 24, 24, 24 }, 0.2);
   SignedDistanceOptions options;
   const auto whole = signedDistance(mesh, grid, grid.extent, options).distance;
-  options.bandWidth = 2.5;
-  const auto banded = signedDistance(mesh, grid, grid.extent, options).distance;
-  const auto band = static_cast<float>(2.5 * grid.spacing.x());
-  for (std::size_t s = 0; s < whole.size(); ++s)
+  for (const double width : { 2.5, 1e-300, 1e300 })
   {
-    EXPECT_EQ(banded[s], std::clamp(whole[s], -band, band));
+    options.bandWidth = width;
+    const auto banded = signedDistance(mesh, grid, grid.extent, options).distance;
+    const auto band = static_cast<float>(width * grid.spacing.x());
+    for (std::size_t s = 0; s < whole.size(); ++s)
+    {
+      EXPECT_EQ(banded[s], std::clamp(whole[s], -band, band));
+    }
   }
 }
 

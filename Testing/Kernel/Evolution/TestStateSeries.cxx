@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <memory>
+#include <utility>
 
 using namespace evolving;
 
@@ -110,6 +112,23 @@ TEST(StateSeries, RepeatsTheLastStateAfterAStop)
   EXPECT_FALSE(series.stopReason().empty());
   EXPECT_LT(series.lastIteration(), 100);
   EXPECT_EQ(series.state(200, Execution())->record.iteration, series.history().back().iteration);
+}
+
+TEST(StateSeries, ForgetsTheFlowWhenNoStateWasDropped)
+{
+  for (const std::size_t limit : { NoLimit, std::size_t(0) })
+  {
+    auto held = std::make_shared<int>(0);
+    const std::weak_ptr<int> watched = held;
+    StateSeries series([held = std::move(held)](const Execution& host)
+      { return SurfaceFlow(shapes::bumpySphere(2), nullptr, exampleOptions(6, 0), host); },
+      publishedIterations(6, 0, 1), limit, Execution());
+    EXPECT_EQ(watched.expired(), limit == NoLimit);
+    for (std::size_t i = 0; i <= 6; ++i)
+    {
+      EXPECT_EQ(series.state(i, Execution())->record.iteration, static_cast<int>(i));
+    }
+  }
 }
 
 TEST(StateSeries, CanBeCancelled)

@@ -5,6 +5,7 @@
 
 #include "Evolution/StateSeries.h"
 
+#include "AllocatedBytes.h"
 #include "Evolution/EvolutionFields.h"
 #include "Evolution/Remeshers.h"
 #include "Shapes/Spheres.h"
@@ -15,36 +16,12 @@
 #include <memory>
 #include <vector>
 
-#if defined(__GLIBC__) && (__GLIBC__ > 2 || __GLIBC_MINOR__ >= 33)
-#include <malloc.h>
-#endif
-
 using namespace evolving;
 
 namespace
 {
 
 constexpr int Steps = 150;
-constexpr double MiB = 1024.0 * 1024.0;
-
-/// Bytes that are allocated now; 0 where nobody counts them.
-double bytesInUse()
-{
-#if defined(__GLIBC__) && (__GLIBC__ > 2 || __GLIBC_MINOR__ >= 33)
-  const struct mallinfo2 counts = mallinfo2();
-  return static_cast<double>(counts.uordblks + counts.hblkhd);
-#else
-  return 0.0;
-#endif
-}
-
-/// Sanitizers bring an allocator of their own, which is not counted.
-bool allocatorCounts()
-{
-  const double before = bytesInUse();
-  const std::vector<char> block(1 << 20, 'x');
-  return bytesInUse() - before >= MiB && block.back() == 'x';
-}
 
 /// Memory in MiB: held when the series is there, and at most while it was made.
 struct Memory

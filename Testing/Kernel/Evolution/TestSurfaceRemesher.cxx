@@ -5,6 +5,7 @@
 
 #include "Evolution/SurfaceRemesher.h"
 
+#include "ChangedMembers.h"
 #include "Errors.h"
 #include "Mesh/MeshQuality.h"
 #include "Mesh/MeshTopology.h"
@@ -229,6 +230,19 @@ TEST(SurfaceRemesher, ScaleAndRotationDoNotMatter)
 TEST(SurfaceRemesher, RefusesPolygons)
 {
   EXPECT_THROW(SurfaceRemesher(shapes::hexagonalPrism(), Uniform), InputError);
+}
+
+TEST(SurfaceRemesher, RefusesAnEdgeLengthThatIsNoNumber)
+{
+  for (const double length : { std::nan(""), HUGE_VAL, -1.0, 1e-300, 1e300 })
+  {
+    EXPECT_THROW(SurfaceRemesher(icosphere(1), withEdges(Uniform, length)), InputError);
+  }
+}
+
+TEST(SurfaceRemesher, OptionsAreEqualOnlyWhenEverythingIs)
+{
+  expectEveryMemberCounts(SurfaceRemeshingOptions());
 }
 
 TEST(SurfaceRemesher, RefusesElementsWithoutNumber)

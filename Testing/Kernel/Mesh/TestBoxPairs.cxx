@@ -123,6 +123,29 @@ TEST(BoxPairs, StopWhenAsked)
   EXPECT_THROW(overlappingPairs(boxes, everyPair, stopping), Cancelled);
 }
 
+TEST(BoxPairs, BoxesOverlappingAFewAreFoundInOrder)
+{
+  std::mt19937 generator(37);
+  for (const int count : { 0, 1, 3, 40, 300 })
+  {
+    const std::vector<Box> few = unevenBoxes(count, generator);
+    const std::vector<Box> others = unevenBoxes(10000, generator);
+    std::vector<std::vector<Index>> expected(few.size());
+    for (std::size_t i = 0; i < few.size(); ++i)
+    {
+      for (std::size_t j = 0; j < others.size(); ++j)
+      {
+        if (few[i].intersects(others[j]))
+        {
+          expected[i].push_back(static_cast<Index>(j));
+        }
+      }
+    }
+    EXPECT_EQ(boxesOverlapping(few, others), expected);
+    EXPECT_EQ(boxesOverlapping(few, others, threadedExecution(8, 5)), expected);
+  }
+}
+
 } // namespace
 
 } // namespace evolving

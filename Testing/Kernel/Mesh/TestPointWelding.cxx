@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Mesh/PointWelding.h"
 #include "Mesh/SurfaceMesh.h"
 #include "Mesh/TopologySummary.h"
 #include "Shapes/MeshVariants.h"
@@ -148,6 +149,27 @@ TEST(PointWelding, DropsUnusedPointsEvenIfTheyAreNotNumbers)
   const SurfaceMesh welded = weldCoincidentPoints(mesh);
   EXPECT_EQ(welded.vertexCount(), shape.vertexCount());
   EXPECT_TRUE(summarizeTopology(welded).isClosed());
+}
+
+TEST(PointWelding, FindsTheFirstOfEqualPointsAmongSome)
+{
+  const std::vector<Vec3> points = { Vec3(1, 0, 0), Vec3(0, 0, 0), Vec3(1, 0, 0),
+    Vec3(-0.0, 0, -0.0), Vec3(1, 0, 0) };
+  EXPECT_EQ(firstOfEqualPoints(points, { 0, 1, 2, 3, 4 }), (std::vector<Index>{ 0, 1, 0, 1, 0 }));
+  EXPECT_EQ(
+    firstOfEqualPoints(points, { 4, 2 }), (std::vector<Index>{ NoIndex, NoIndex, 2, NoIndex, 2 }));
+}
+
+TEST(PointWelding, FindsTheVertexOfEachPoint)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Vec3> vertices = { Vec3(1, 0, 0), Vec3(0, 0, 0) };
+  const std::vector<Vec3> points = { Vec3(0, -0.0, 0), Vec3(2, 0, 0), Vec3(nan, 0, 0),
+    Vec3(1, 0, 0), Vec3(2, 0, 0) };
+  EXPECT_EQ(
+    vertexOfEachPoint(points, vertices), (std::vector<Index>{ 1, NoIndex, NoIndex, 0, NoIndex }));
+  EXPECT_TRUE(vertexOfEachPoint({}, vertices).empty());
+  EXPECT_EQ(vertexOfEachPoint(points, {}), std::vector<Index>(5, NoIndex));
 }
 
 } // namespace

@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Mesh/TriangleEdges.h"
+
+#include "Shapes/MeshVariants.h"
 #include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
+
+#include <utility>
+#include <vector>
 
 using namespace evolving;
 using namespace evolving::shapes;
@@ -42,4 +47,36 @@ TEST(TriangleEdges, CountAnyNumberOfFacesAtAnEdge)
 TEST(TriangleEdges, OfNothingAreNone)
 {
   EXPECT_EQ(TriangleEdges(SurfaceMesh()).edgeCount(), 0);
+}
+
+TEST(TriangleEdges, OfAMeshWithTurnedFacesAreThoseOfThatMesh)
+{
+  const SurfaceMesh whole = randomSoup(50, 0.5, 3);
+  for (const SurfaceMesh& mesh : { sphere(3), bowl(3, 0.2), whole })
+  {
+    std::vector<char> isTurned;
+    SurfaceMesh turnedMesh = mesh;
+    for (Index face = 0; face < mesh.faceCount(); ++face)
+    {
+      isTurned.push_back(face % 3 == 0 || face % 7 == 2);
+      if (isTurned.back())
+      {
+        std::swap(
+          turnedMesh.cornerVertices[at(3 * face + 1)], turnedMesh.cornerVertices[at(3 * face + 2)]);
+      }
+    }
+    TriangleEdges edges(mesh);
+    edges.turn(isTurned);
+    const TriangleEdges expected(turnedMesh);
+    ASSERT_EQ(edges.edgeCount(), expected.edgeCount());
+    for (Index edge = 0; edge < edges.edgeCount(); ++edge)
+    {
+      EXPECT_EQ(std::vector<Index>(edges.begin(edge), edges.end(edge)),
+        std::vector<Index>(expected.begin(edge), expected.end(edge)));
+    }
+    for (Index corner = 0; corner < mesh.cornerCount(); ++corner)
+    {
+      EXPECT_EQ(edges.edgeOf(corner), expected.edgeOf(corner));
+    }
+  }
 }

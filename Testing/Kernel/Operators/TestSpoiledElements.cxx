@@ -44,3 +44,17 @@ TEST(SpoiledElements, FlagsElementsThatTurnAgainstTheirVertices)
   mesh.points[2].y() = -0.03;
   EXPECT_EQ(spoiledElements(mesh, turned, up, 20.0, Execution())[0], 0);
 }
+
+TEST(SpoiledElements, FlagsSharpenedElementsWithStraightCorners)
+{
+  // A straight corner is none that a needle has: the polygon may not become one all the same.
+  SurfaceMesh mesh;
+  mesh.points = { Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0), Vec3(1, 1, 0) };
+  mesh.addFace({ 0, 1, 2, 3 });
+  const std::vector<Vec3> up(4, Vec3::UnitZ());
+  const std::vector<Vec3> before = mesh.points;
+  mesh.points[3].y() = 0.1;
+  EXPECT_EQ(spoiledElements(mesh, before, up, 20.0, Execution())[0], 1);
+  mesh.points[3].y() = 0.5;
+  EXPECT_EQ(spoiledElements(mesh, before, up, 20.0, Execution())[0], 0);
+}

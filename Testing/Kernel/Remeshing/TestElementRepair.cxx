@@ -4,10 +4,12 @@
 #include "Remeshing/ElementRepair.h"
 
 #include "Errors.h"
+#include "MemoryCount.h"
 #include "Mesh/MeshQuality.h"
 #include "Mesh/SelfIntersections.h"
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/MeshVariants.h"
 #include "Shapes/Polyhedra.h"
 #include "Shapes/Spheres.h"
 #include "StartSurface/PrimitiveSurfaces.h"
@@ -16,6 +18,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <random>
 #include <set>
 #include <vector>
 
@@ -24,6 +28,7 @@ namespace
 
 using namespace evolving;
 using namespace evolving::editing;
+using namespace evolving::shapes;
 
 constexpr double Sound = 42.0;
 
@@ -217,6 +222,32 @@ TEST(ElementRepair, CreasesOfABoxStay)
   }
   EXPECT_NEAR(length, 24.0, 1e-12);
   EXPECT_NEAR(signedVolume(surface.mesh()), 8.0, 1e-12);
+}
+
+TEST(ElementRepair, CostsTheSameWhateverTheSizeOfTheSurface)
+{
+  if (!MemoryCount::isSupported())
+  {
+    GTEST_SKIP() << "nothing counts memory here";
+  }
+  // The whole surface may be copied a few times in all, but not for every bad place.
+  const SurfaceMesh sphere = icosphere(5);
+  EditableSurface surface = shapes::sized(sphere, meanEdgeLength(sphere));
+  std::mt19937 random(9);
+  constexpr int Places = 20;
+  for (int place = 0; place < Places; ++place)
+  {
+    const Index e = edgeNear(surface, randomPoint(random).normalized());
+    const Vec3 middle = 0.5 * (surface.point(surface.from(e)) + surface.point(surface.to(e)));
+    surface.split(e, middle.normalized());
+  }
+  surface.compact();
+  const MemoryCount ofCopy;
+  const EditableSurface copy = surface;
+  const std::size_t one = ofCopy.total();
+  const MemoryCount ofRepair;
+  EXPECT_GE(repairElements(surface, shapes::ExactSphere(), Sound), Places);
+  EXPECT_LT(ofRepair.total(), 5 * one);
 }
 
 TEST(ElementRepair, HasNothingToDoOnAnEmptySurface)

@@ -43,6 +43,20 @@ TEST(FaceShape, OfARightTriangleByHand)
   EXPECT_NEAR(cosineOfSmallestAngle(a, b, c), 0.8, 1e-15);
 }
 
+TEST(FaceShape, OfAFaceIsThatOfItsCorners)
+{
+  SurfaceMesh mesh;
+  mesh.points = { Vec3::Zero(), Vec3(3.0, 0.0, 0.0), Vec3(0.0, 4.0, 0.0), Vec3(-3.0, 0.0, 0.0) };
+  mesh.addFace({ 0, 1, 2 });
+  mesh.addFace({ 0, 2, 3 });
+  const EditableSurface surface(mesh);
+  for (Index face = 0; face < 2; ++face)
+  {
+    EXPECT_NEAR(cosineOfSmallestAngle(surface, face), 0.8, 1e-15);
+    EXPECT_NEAR(smallestAngle(surface, face), 36.869897645844, 1e-9);
+  }
+}
+
 TEST(FaceShape, IsWorstWithoutArea)
 {
   const Vec3 a(1.0, 2.0, 3.0);

@@ -3,12 +3,14 @@
 
 #include "Remeshing/OrderedTasks.h"
 
+#include "Errors.h"
 #include "ThreadedExecution.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace
@@ -94,6 +96,37 @@ TEST(OrderedTasks, ThatAreFarApartDoNotWaitForEachOther)
     40, [](std::size_t task) { return std::vector<Index>{ static_cast<Index>(task) }; }, 40, 10,
     [](std::size_t) {}, counting);
   EXPECT_EQ(chunksOfLoops, std::vector<std::int64_t>{ 4 });
+}
+
+TEST(OrderedTasks, ThrowWhatTheFirstOfATurnThrew)
+{
+  // Tasks 0 to 9 have a place each, and the others wait for them: they must not run at all.
+  const auto placesOf = [](std::size_t task)
+  { return std::vector<Index>{ static_cast<Index>(task % 10) }; };
+  for (const int threads : { 1, 2, 8 })
+  {
+    std::vector<int> runs(40, 0);
+    try
+    {
+      runInOrder(
+        runs.size(), placesOf, 10, 1,
+        [&](std::size_t task)
+        {
+          ++runs[task];
+          if (task == 3 || task == 7 || task == 12)
+          {
+            throw InputError(std::to_string(task));
+          }
+        },
+        threadedExecution(threads, 3));
+      FAIL() << "nothing was thrown";
+    }
+    catch (const InputError& error)
+    {
+      EXPECT_STREQ(error.what(), "3");
+    }
+    EXPECT_EQ(std::vector<int>(runs.begin() + 10, runs.end()), std::vector<int>(30, 0));
+  }
 }
 
 TEST(OrderedTasks, MayBeNone)

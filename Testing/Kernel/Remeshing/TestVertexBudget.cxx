@@ -55,4 +55,35 @@ TEST(VertexBudget, WhatItProposesPasses)
   EXPECT_GT(expectedVertices(sphere), 0.8 * MostVertices);
 }
 
+TEST(VertexBudget, NeedlesCountByTheirLength)
+{
+  // Next to no area, but edges that must be cut into 10,000 pieces.
+  for (const double width : { 1e-3, 1e-6, 1e-14, 0.0 })
+  {
+    SurfaceMesh mesh;
+    mesh.points = { Vec3(0, 0, 0), Vec3(width, 0, 0), Vec3(0, 1, 0) };
+    mesh.addFace({ 0, 1, 2 });
+    EditableSurface needle(mesh);
+    setUniformSizes(needle, 1e-4);
+    const double vertices = verticesToMake(needle);
+    EXPECT_GE(vertices, 1e4) << width;
+    EXPECT_LE(vertices, 1e5) << width;
+    EXPECT_THROW(requireFewVertices(needle, 1e-4, 0.9 * vertices), InputError);
+    EXPECT_NO_THROW(requireFewVertices(needle, 1e-4, 1.1 * vertices));
+    setUniformSizes(needle, 2.0);
+    EXPECT_LT(verticesToMake(needle), 1.0) << width;
+  }
+}
+
+TEST(VertexBudget, OfRoundFacesTheAreaDecides)
+{
+  EditableSurface sphere(icosphere(2));
+  for (const double size : { 1.0, 0.1, 0.01 })
+  {
+    setUniformSizes(sphere, size);
+    const double vertices = expectedVertices(sphere);
+    EXPECT_NEAR(verticesToMake(sphere), vertices, 1e-12 * vertices) << size;
+  }
+}
+
 } // namespace

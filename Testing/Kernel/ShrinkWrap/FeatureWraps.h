@@ -10,6 +10,7 @@
 #define EVOLVING_FEATURE_WRAPS_H
 
 #include "Shapes/Polyhedra.h"
+#include "ShrinkWrap/Shortcomings.h"
 #include "ShrinkWrap/WrapRuns.h"
 
 #include <string>

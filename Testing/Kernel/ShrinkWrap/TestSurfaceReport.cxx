@@ -3,6 +3,7 @@
 
 #include "ShrinkWrap/SurfaceReport.h"
 
+#include "ShrinkWrap/Shortcomings.h"
 #include "ShrinkWrap/WrapRuns.h"
 #include "StartSurface/PrimitiveSurfaces.h"
 

@@ -25,14 +25,15 @@ using namespace evolving;
 
 struct Finished
 {
-  WrapTarget target;
+  DescribedTarget described;
+  const WrapTarget& target = described.target;
   WrapReference reference;
   SurfaceMesh surface;
 
   Finished(const SurfaceMesh& mesh, const SurfaceMesh& arrived, const ShrinkWrapOptions& options,
     const Execution& execution = {})
-    : target(describeTarget(mesh, options, execution))
-    , reference(target, OuterRegion(target.grid, target.startField, target.startLevel))
+    : described(describeTarget(mesh, options, execution))
+    , reference(target, OuterRegion(target.grid, described.fields.start, target.startLevel))
     , surface(finishWrap(arrived, target, reference, options, execution).surface)
   {
   }

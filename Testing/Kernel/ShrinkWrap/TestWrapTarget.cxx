@@ -27,8 +27,8 @@ using namespace evolving::shapes;
 /// How well the start comes to the origin: 0 or 1.
 double reachesOrigin(const SurfaceMesh& mesh, const ShrinkWrapOptions& options)
 {
-  const WrapTarget target = describeTarget(mesh, options, {});
-  const OuterRegion region(target.grid, target.startField, target.startLevel);
+  const auto [target, fields] = describeTarget(mesh, options, {});
+  const OuterRegion region(target.grid, fields.start, target.startLevel);
   return region.reachable(Vec3::Zero());
 }
 
@@ -36,7 +36,7 @@ TEST(WrapTarget, LengthsFollowFromTheOptions)
 {
   ShrinkWrapOptions options = wraps::quick(0.2);
   options.offsetDistance = 0.3;
-  const WrapTarget target = describeTarget(icosphere(4), options, {});
+  const WrapTarget target = describeTarget(icosphere(4), options, {}).target;
   EXPECT_NEAR(target.area, 4.0 * Pi, 0.04);
   EXPECT_EQ(target.edgeLength, 0.2);
   EXPECT_NEAR(target.wall, 0.06, 1e-15);
@@ -44,23 +44,24 @@ TEST(WrapTarget, LengthsFollowFromTheOptions)
   EXPECT_NEAR(target.startLevel, 0.3 + 0.1, 1e-15);
   EXPECT_LT(target.cellSize(), 0.125); // else the start level would follow from the cells
   options.sampleDimensions = { 16, 16, 16 };
-  const WrapTarget coarse = describeTarget(icosphere(4), options, {});
+  const WrapTarget coarse = describeTarget(icosphere(4), options, {}).target;
   EXPECT_NEAR(coarse.startLevel, 0.3 + 0.8 * coarse.cellSize(), 1e-15);
   options.targetEdgeLength = 0.0;
-  EXPECT_EQ(describeTarget(icosphere(4), options, {}).edgeLength, defaultEdgeLength(target.area));
+  EXPECT_EQ(
+    describeTarget(icosphere(4), options, {}).target.edgeLength, defaultEdgeLength(target.area));
 }
 
 TEST(WrapTarget, DistancesAreThoseOfTheSurface)
 {
-  const WrapTarget target = describeTarget(icosphere(4), wraps::quick(), {});
+  const auto [target, fields] = describeTarget(icosphere(4), wraps::quick(), {});
   for (int k = 0; k < target.grid.dimension(2); k += 3)
   {
     for (int i = 0; i < target.grid.dimension(0); i += 3)
     {
       const auto sample = static_cast<std::size_t>(target.grid.index(i, 17, k));
       const double radius = target.grid.point(i, 17, k).norm();
-      EXPECT_NEAR(target.signedDistance[sample], radius - 1.0, 0.003);
-      EXPECT_EQ(target.distance[sample], std::abs(target.signedDistance[sample]));
+      EXPECT_NEAR(fields.distance[sample], std::abs(radius - 1.0), 0.003);
+      EXPECT_TRUE(std::abs(radius - 1.0) < 0.003 || fields.isInside[sample] == (radius < 1.0));
     }
   }
 }
@@ -69,17 +70,18 @@ TEST(WrapTarget, HolesOfAScanAreFilledAndOpeningsAreNot)
 {
   const SurfaceMesh scan = drilledSphere({ Vec3::UnitX(), Vec3::UnitZ() }, 0.15);
   ASSERT_FALSE(summarizeTopology(scan).isClosed());
-  const WrapTarget filled = describeTarget(scan, wraps::quick(0.02), {});
+  const WrapTarget filled = describeTarget(scan, wraps::quick(0.02), {}).target;
   EXPECT_TRUE(summarizeTopology(filled.surface).isClosed());
   EXPECT_NEAR(filled.area, 4.0 * Pi, 0.4);
   const SurfaceMesh bowl = drilledSphere({ Vec3::UnitZ() }, 1.0);
-  EXPECT_FALSE(summarizeTopology(describeTarget(bowl, wraps::quick(), {}).surface).isClosed());
+  EXPECT_FALSE(
+    summarizeTopology(describeTarget(bowl, wraps::quick(), {}).target.surface).isClosed());
   // Its mouth is 2 sin(1) = 1.68 wide.
   ShrinkWrapOptions options = wraps::quick();
   options.gapSize = 1.5;
-  EXPECT_FALSE(summarizeTopology(describeTarget(bowl, options, {}).surface).isClosed());
+  EXPECT_FALSE(summarizeTopology(describeTarget(bowl, options, {}).target.surface).isClosed());
   options.gapSize = 1.9;
-  EXPECT_TRUE(summarizeTopology(describeTarget(bowl, options, {}).surface).isClosed());
+  EXPECT_TRUE(summarizeTopology(describeTarget(bowl, options, {}).target.surface).isClosed());
 }
 
 /// A unit sphere without what lies within half a width of its equator's plane.
@@ -110,14 +112,14 @@ TEST(WrapTarget, CracksCloseUpToTwoEdgesWiderThanTheStartLevelCloses)
 
 TEST(WrapTarget, StartFieldIsZeroAtTheStartLevel)
 {
-  const WrapTarget target = describeTarget(icosphere(4), wraps::quick(), {});
+  const auto [target, fields] = describeTarget(icosphere(4), wraps::quick(), {});
   for (int i = 0; i < target.grid.dimension(0); ++i)
   {
     const auto sample = static_cast<std::size_t>(target.grid.index(i, 18, 18));
     const double beyond = target.grid.point(i, 18, 18).norm() - 1.0 - target.startLevel;
     if (std::abs(beyond) < 1.5 * target.cellSize())
     {
-      EXPECT_NEAR(target.startField[sample], beyond, 0.02);
+      EXPECT_NEAR(fields.start[sample], beyond, 0.02);
     }
   }
 }

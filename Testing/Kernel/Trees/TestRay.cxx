@@ -26,6 +26,22 @@ TEST(Ray, HitsWhereItCrosses)
   EXPECT_TRUE(Ray(Vec3(5, 1, 1), Vec3(-4, 0, -1)).hit(Right).has_value());
 }
 
+TEST(Ray, TellsFromWhichSideItCrosses)
+{
+  for (const Vec3& direction : { Vec3(0, 0, 1), Vec3(2, 0.3, 0.1), Vec3(-0.2, -3, 0.1) })
+  {
+    for (const double sign : { 1.0, -1.0 })
+    {
+      const Ray ray(Vec3(1, 1, 0) - sign * direction, sign * direction);
+      ASSERT_TRUE(ray.crossing(Right).has_value());
+      EXPECT_NEAR(ray.crossing(Right)->parameter, 1.0, 1e-12);
+      EXPECT_EQ(ray.crossing(Right)->isFromBehind, sign > 0.0);
+      const Triangle turned{ { Right.corners[0], Right.corners[2], Right.corners[1] } };
+      EXPECT_EQ(ray.crossing(turned)->isFromBehind, sign < 0.0);
+    }
+  }
+}
+
 TEST(Ray, CrossesExactlyOneTriangleOfAFanAtItsVertexAndEdges)
 {
   // Rays straight through vertices and edges of a flat grid of triangles.

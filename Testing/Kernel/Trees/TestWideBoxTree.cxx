@@ -92,12 +92,13 @@ TEST(WideBoxTree, VisitsFewTriangles)
   const SurfaceMesh mesh = sphere(5);
   const AABBTree tree(mesh);
   // The tree's own leaves serve as things to visit; the closest is known beforehand.
+  const RootFrame frame(tree.bounds());
   std::vector<FloatBox> boxes;
   for (const Index t : tree.leafTriangles())
   {
-    boxes.push_back(roundedOutwards(tree.triangle(t).box()));
+    boxes.push_back(roundedOutwards(frame.local(tree.triangle(t).box())));
   }
-  const WideBoxTree wide(tree.nodes(), tree.leafTriangles(), boxes);
+  const WideBoxTree wide(tree.nodes(), tree.leafTriangles(), boxes, frame);
   int visits = 0;
   for (Index f = 0; f < mesh.faceCount(); ++f)
   {

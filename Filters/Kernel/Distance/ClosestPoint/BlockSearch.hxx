@@ -72,7 +72,8 @@ private:
     const Middle middle = this->middleOf(block);
     const bool isBrick = block.side == BrickSearch::Side;
     guess = this->closerGuess(this->boundCandidates(middle, level), middle, guess);
-    const float largest = isBrick ? 0.0F : 0.5F * static_cast<float>(block.side);
+    // A brick is handed triangles: no box is small enough to stay closed, not even a point's.
+    const float largest = isBrick ? -1.0F : 0.5F * static_cast<float>(block.side);
     const float nearest =
       this->select(this->cornerDistances(block, level, guess), middle, largest, level);
     const float* half = middle.halfSize;

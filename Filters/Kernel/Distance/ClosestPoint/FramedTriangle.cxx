@@ -36,8 +36,9 @@ FramedTriangle::Edge edgeBetween(const Eigen::Vector2d& from, const Eigen::Vecto
   FramedTriangle::Edge edge;
   const double length = (to - from).norm();
   // An edge of no length runs against the first, so that nothing is on the left of both.
-  const Eigen::Vector2d direction =
-    length > 0.0 ? Eigen::Vector2d((to - from) / length) : Eigen::Vector2d(-1.0, 0.0);
+  const Eigen::Vector2d direction = length > FramedTriangle::ShortestEdge
+    ? Eigen::Vector2d((to - from) / length)
+    : Eigen::Vector2d(-1.0, 0.0);
   edge.directionX = static_cast<float>(direction.x());
   edge.directionY = static_cast<float>(direction.y());
   edge.length = static_cast<float>(length);
@@ -56,9 +57,9 @@ FramedTriangle::FramedTriangle(const Triangle& triangle, Index triangleNumber)
   const Vec3 edge = triangle.corners[(first + 1) % 3] - origin;
   const Vec3 toOpposite = triangle.corners[(first + 2) % 3] - origin;
   const double longest = edge.norm();
-  const Vec3 x = longest > 0.0 ? Vec3(edge / longest) : Vec3(Vec3::UnitX());
+  const Vec3 x = longest > ShortestEdge ? Vec3(edge / longest) : Vec3(Vec3::UnitX());
   const Vec3 rise = toOpposite - toOpposite.dot(x) * x;
-  const bool isFlat = isDegenerate(triangle) || !(rise.norm() > 0.0);
+  const bool isFlat = isDegenerate(triangle) || !(rise.norm() > ShortestEdge);
   const Vec3 y = isFlat ? Vec3(x.unitOrthogonal()) : Vec3(rise.normalized());
   const double top = isFlat ? 0.0 : rise.norm();
   const Eigen::Vector2d end(longest, 0.0);

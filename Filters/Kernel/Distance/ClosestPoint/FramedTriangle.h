@@ -33,6 +33,10 @@ struct FramedTriangle
     float beginBeside = 0.0F; ///< to the left of it
   };
 
+  /// A shorter edge is none: its square would be a number of few digits, its direction no unit
+  /// vector.
+  static constexpr double ShortestEdge = 1e-150;
+
   double anchor[3] = { 0.0, 0.0, 0.0 };
   float along[3] = { 1.0F, 0.0F, 0.0F };
   float beside[3] = { 0.0F, 1.0F, 0.0F };

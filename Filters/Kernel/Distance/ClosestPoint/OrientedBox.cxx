@@ -3,14 +3,18 @@
 
 #include "Distance/ClosestPoint/OrientedBox.h"
 
+#include "Distance/ClosestPoint/FramedTriangle.h"
+
 #include <cmath>
-#include <limits>
 
 namespace evolving
 {
 
 namespace
 {
+
+/// The square of a smaller one would be a number of few digits, and an axis no unit vector.
+constexpr double SmallestNormal = 1e-150;
 
 /// The mean normal whatever the faces' orientations; zero when none has an area.
 Vec3 meanNormal(const std::vector<const Triangle*>& triangles)
@@ -22,7 +26,7 @@ Vec3 meanNormal(const std::vector<const Triangle*>& triangles)
     sum += normal.dot(sum) < 0.0 ? Vec3(-normal) : normal;
   }
   const double length = sum.norm();
-  return length > 0.0 && std::isfinite(length) ? Vec3(sum / length) : Vec3(Vec3::Zero());
+  return length > SmallestNormal && std::isfinite(length) ? Vec3(sum / length) : Vec3(Vec3::Zero());
 }
 
 /// The longest edge's direction: the axis of triangles without area.
@@ -89,7 +93,7 @@ Eigen::Matrix3d axesFor(const std::vector<const Triangle*>& triangles)
   }
   const Vec3 edge = longestEdge(triangles);
   const double length = edge.norm();
-  if (length > 0.0)
+  if (length > FramedTriangle::ShortestEdge)
   {
     axes.col(0) = edge / length;
     axes.col(1) = axes.col(0).unitOrthogonal();

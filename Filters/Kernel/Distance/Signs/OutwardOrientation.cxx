@@ -98,19 +98,22 @@ void turn(SurfaceMesh& mesh, Index face)
   std::swap(mesh.cornerVertices[at(3 * face + 1)], mesh.cornerVertices[at(3 * face + 2)]);
 }
 
-/// Turns the faces marked, and returns how many.
-Index turnMarked(SurfaceMesh& mesh, const std::vector<char>& marked)
+/// Turns the faces marked.
+void turnMarked(SurfaceMesh& mesh, TriangleEdges& edges, const std::vector<char>& marked)
 {
-  Index turned = 0;
+  bool hasTurned = false;
   for (Index face = 0; face < mesh.faceCount(); ++face)
   {
     if (marked[at(face)])
     {
       turn(mesh, face);
-      ++turned;
+      hasTurned = true;
     }
   }
-  return turned;
+  if (hasTurned)
+  {
+    edges.turn(marked);
+  }
 }
 
 /// Does the volume of an open component say that its faces point inwards? A closed sphere
@@ -178,10 +181,7 @@ OrientationSummary orientOutwards(SurfaceMesh& mesh)
 {
   TriangleEdges edges(mesh);
   const ConsistentTurns consistent(mesh, edges);
-  if (turnMarked(mesh, consistent.Turned) > 0)
-  {
-    edges = TriangleEdges(mesh); // corners run along other edges now
-  }
+  turnMarked(mesh, edges, consistent.Turned);
   const std::vector<SurfaceComponent> components =
     surfaceComponents(mesh, edges, consistent.Component, consistent.Components);
   const std::vector<char> inward = inwardComponents(mesh, components, consistent.Component);
@@ -192,10 +192,7 @@ OrientationSummary orientOutwards(SurfaceMesh& mesh)
     turned[face] = inward[at(consistent.Component[face])];
     summary.turnedFaces += turned[face] != consistent.Turned[face] ? 1 : 0;
   }
-  if (turnMarked(mesh, turned) > 0)
-  {
-    edges = TriangleEdges(mesh);
-  }
+  turnMarked(mesh, edges, turned);
   summary.components = consistent.Components;
   summary.componentsOverlap = boxesIntersect(components);
   countEdges(mesh, edges, summary);

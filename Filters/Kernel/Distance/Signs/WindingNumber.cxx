@@ -3,7 +3,9 @@
 
 #include "Distance/Signs/WindingNumber.h"
 
+#include "Distance/Signs/CutSlivers.h"
 #include "Mesh/Angles.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -52,7 +54,7 @@ double windingNumber(const Triangle& triangle, const Vec3& point)
 }
 
 WindingNumber::WindingNumber(const std::vector<Triangle>& triangles, const Execution& execution)
-  : Triangles(triangles)
+  : Triangles(withSliversCut(triangles))
 {
   if (triangles.empty())
   {
@@ -71,7 +73,7 @@ WindingNumber::WindingNumber(const std::vector<Triangle>& triangles, const Execu
     });
   std::vector<Index> top;
   auto next = subtrees.cbegin();
-  this->addTop({ 0, static_cast<Index>(triangles.size()) }, this->topLevels(), next, top);
+  this->addTop({ 0, static_cast<Index>(this->Triangles.size()) }, this->topLevels(), next, top);
   execution.phase(0.8, 1.0).forRangeReporting(static_cast<std::int64_t>(top.size()), 1,
     [&](std::int64_t begin, std::int64_t end)
     {

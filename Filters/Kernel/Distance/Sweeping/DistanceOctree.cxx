@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace evolving
@@ -22,7 +23,19 @@ void requireCubic(const DistanceGrid& grid)
     std::ostringstream message;
     message << "The octree needs cubic cells, got cells of " << grid.spacing.x() << " x "
             << grid.spacing.y() << " x " << grid.spacing.z()
-            << "; choose the method ClosestPoint, or bounds and dimensions that give cubes.";
+            << "; set ModelBounds and SampleDimensions that give cubes, or an automatic box.";
+    throw InputError(message.str());
+  }
+}
+
+void requireFewCells(std::size_t cells, std::size_t most, int side)
+{
+  if (cells > most)
+  {
+    std::ostringstream message;
+    message << "The octree has " << cells << " cells of " << side
+            << " samples along each side, expected at most " << most
+            << " of any size; lower SampleDimensions.";
     throw InputError(message.str());
   }
 }
@@ -42,8 +55,8 @@ std::array<int, 2> samplesAround(const DistanceGrid& grid, int axis, double low,
 
 } // namespace
 
-DistanceOctree::DistanceOctree(
-  const AABBTree& tree, const DistanceGrid& grid, const Execution& execution, int maximumDepth)
+DistanceOctree::DistanceOctree(const AABBTree& tree, const DistanceGrid& grid,
+  const Execution& execution, int maximumDepth, std::size_t mostCells)
   : Grid(grid)
 {
   requireCubic(grid);
@@ -61,6 +74,7 @@ DistanceOctree::DistanceOctree(
       this->Levels.clear(); // the root met the mesh's box, but no cell with a sample the mesh
       break;
     }
+    requireFewCells(children.size(), mostCells, children.front().side);
     this->Levels.push_back(std::move(children));
   }
   this->measureLeaves(tree, execution.phase(0.7, 1.0));
@@ -77,12 +91,14 @@ Box DistanceOctree::box(const Cell& cell) const
 
 Box DistanceOctree::closure(const Cell& cell) const
 {
-  // Neighbours' faces differ by rounding: a triangle in the crack between them would be lost.
-  constexpr double Rounding = 1e-9;
-  Box box = this->box(cell);
-  box.min() -= Rounding * this->Grid.spacing;
-  box.max() += Rounding * this->Grid.spacing;
-  return box;
+  // Neighbours' faces differ by the rounding of their coordinates: a triangle in the crack between
+  // them would be lost.
+  constexpr double OfACell = 1e-9;
+  constexpr double OfACoordinate = 4.0 * std::numeric_limits<double>::epsilon();
+  const Box box = this->box(cell);
+  const Vec3 farthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
+  const Vec3 margin = (OfACell * this->Grid.spacing).cwiseMax(OfACoordinate * farthest);
+  return { Vec3(box.min() - margin), Vec3(box.max() + margin) };
 }
 
 void DistanceOctree::setRoot(const AABBTree& tree)

@@ -16,6 +16,7 @@
 #include "Types.h"
 
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -50,11 +51,13 @@ public:
   /**
    * @param maximumDepth stops the division earlier: leaves are larger then, and their centres
    * no samples
-   * @throws InputError when the grid is not cubic
+   * @param mostCells of a level
+   * @throws InputError when the grid is not cubic, or a level has too many cells
    * @throws Cancelled
    */
   DistanceOctree(const AABBTree& tree, const DistanceGrid& grid, const Execution& execution = {},
-    int maximumDepth = std::numeric_limits<int>::max());
+    int maximumDepth = std::numeric_limits<int>::max(),
+    std::size_t mostCells = std::numeric_limits<std::size_t>::max());
 
   /// 0 for an octree of the root alone; -1 when no triangle is in the grid.
   int depth() const { return static_cast<int>(this->Levels.size()) - 1; }

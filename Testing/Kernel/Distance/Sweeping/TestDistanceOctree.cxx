@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 #include <set>
 
 using namespace evolving;
@@ -86,6 +87,36 @@ TEST(DistanceOctree, LeavesAreTheSameWhenTheMeshSticksOutOfTheGrid)
   EXPECT_EQ(leafCells(octree), expected);
 }
 
+/// A plate in the faces between two layers of cells belongs to one of them at least, wherever the
+/// coordinates of these faces are rounded to.
+TEST(DistanceOctree, LosesNoTriangleBetweenCellsFarAway)
+{
+  for (const double offset : { 0.0, 1e3, 1e6, 1e8, 1e10 })
+  {
+    DistanceGrid grid;
+    grid.origin = offset * Vec3(1.0, -0.7, 0.3);
+    grid.spacing = Vec3::Constant(0.0687);
+    grid.extent = { 0, 15, 0, 15, 0, 15 };
+    for (int i = 0; i < 15; ++i)
+    {
+      const double x = 0.5 * (grid.point(i, 0, 0).x() + grid.point(i + 1, 0, 0).x());
+      const Vec3 low = grid.point(2, 2, 2);
+      const Vec3 high = grid.point(13, 13, 13);
+      SurfaceMesh plate;
+      plate.points = { Vec3(x, low.y(), low.z()), Vec3(x, high.y(), low.z()),
+        Vec3(x, high.y(), high.z()), Vec3(x, low.y(), high.z()) };
+      plate.addFace({ 0, 1, 2 });
+      plate.addFace({ 0, 2, 3 });
+      std::set<std::array<int, 2>> columns;
+      for (const auto& cell : leafCells(DistanceOctree(AABBTree(plate), grid)))
+      {
+        columns.insert({ cell[1], cell[2] });
+      }
+      EXPECT_GE(columns.size(), 12U * 12U) << "between layers " << i << " at " << offset;
+    }
+  }
+}
+
 TEST(DistanceOctree, CentroidsOfLeavesAreSamples)
 {
   const SurfaceMesh mesh = sphere(2, 0.7, Vec3(0.1, 0.2, 0.3));
@@ -155,6 +186,20 @@ TEST(DistanceOctree, RefusesCellsThatAreNoCubes)
 {
   const DistanceGrid grid = gridOver(Box(Vec3(-1, -1, -1), Vec3(1, 1, 1)), { 10, 20, 10 });
   EXPECT_THROW(DistanceOctree(AABBTree(sphere(1)), grid), InputError);
+}
+
+TEST(DistanceOctree, StopsBeforeItHasMoreCellsThanAllowed)
+{
+  const AABBTree tree(sphere(2));
+  const DistanceGrid grid = gridAround(Box(Vec3(-1, -1, -1), Vec3(1, 1, 1)), { 32, 32, 32 }, 0.1);
+  const int anyDepth = std::numeric_limits<int>::max();
+  const std::size_t leaves = DistanceOctree(tree, grid).leaves().size();
+  EXPECT_EQ(DistanceOctree(tree, grid, {}, anyDepth, leaves).leaves().size(), leaves);
+  EXPECT_THROW(DistanceOctree(tree, grid, {}, anyDepth, leaves - 1), InputError);
+  // Of a grid that would never fit, no more than a few levels are made.
+  const DistanceGrid huge =
+    gridAround(Box(Vec3(-1, -1, -1), Vec3(1, 1, 1)), { 65536, 65536, 65536 }, 0.1);
+  EXPECT_THROW(DistanceOctree(tree, huge, {}, anyDepth, 1000), InputError);
 }
 
 TEST(DistanceOctree, IsTheSameForAnyNumberOfThreads)

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * Which points have the same coordinates. The mesh whose points are joined by it is that of
+ * weldCoincidentPoints() in SurfaceMesh.h.
+ */
+
+#ifndef EVOLVING_POINT_WELDING_H
+#define EVOLVING_POINT_WELDING_H
+
+#include "Types.h"
+
+#include <vector>
+
+namespace evolving
+{
+
+/**
+ * For every point of `among` the smallest number of a point of `among` with equal coordinates (0
+ * and -0 are equal); NoIndex for all others.
+ * @param among different numbers of points that are not NaN: those have no order
+ */
+std::vector<Index> firstOfEqualPoints(const std::vector<Vec3>& points, std::vector<Index> among);
+
+/**
+ * For every point the number of the vertex that has its coordinates, NoIndex where none has.
+ * @param vertices all finite; of equal ones the first counts
+ */
+std::vector<Index> vertexOfEachPoint(
+  const std::vector<Vec3>& points, const std::vector<Vec3>& vertices);
+
+} // namespace evolving
+
+#endif

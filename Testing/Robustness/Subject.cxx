@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Subject.h"
+
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+namespace robustness
+{
+
+namespace
+{
+
+/// Is the solid, with its points as they are, closed, oriented outwards and free of intersections?
+bool isTrue(const Model& model)
+{
+  Surface solid;
+  solid.points = model.points;
+  for (const Triangle& t : model.solid)
+  {
+    solid.faces.emplace_back(t.begin(), t.end());
+  }
+  const Topology topology = topologyOf(solid);
+  // Sharp slivers may turn over when they are rounded once more.
+  constexpr double SmallestAngle = 1e-3;
+  return topology.isClosed() && topology.isManifold() && topology.isOriented() &&
+    smallestAngleOf(solid) > SmallestAngle && intersectionsOf(solid) == 0 &&
+    smallestOuterVolume(solid) > 0.0;
+}
+
+/// Of a point set, only vertices count, or all points where there is none.
+bool hasWrongVertices(const Model& model)
+{
+  const auto count = static_cast<std::int64_t>(model.points.size());
+  return std::any_of(model.vertices.begin(), model.vertices.end(),
+    [count](const Cell& cell)
+    {
+      return std::any_of(
+        cell.begin(), cell.end(), [count](std::int64_t id) { return id < 0 || id >= count; });
+    });
+}
+
+bool hasNaNVertices(const Model& model)
+{
+  const auto isNaN = [&](std::int64_t id)
+  { return !model.points[static_cast<std::size_t>(id)].allFinite(); };
+  if (model.vertices.empty())
+  {
+    return std::any_of(model.points.begin(), model.points.end(),
+      [](const Vec3& point) { return !point.allFinite(); });
+  }
+  return std::any_of(model.vertices.begin(), model.vertices.end(),
+    [&](const Cell& cell) { return std::any_of(cell.begin(), cell.end(), isNaN); });
+}
+
+} // namespace
+
+Subject::Subject(const Model& made)
+  : model(made)
+  , data(toPolyData(made))
+  , surface(surfaceOf(this->data))
+  , radius(radiusOf(made))
+  , centre(centreOf(made))
+{
+  this->hasFaces = !made.polygons.empty() || !made.strips.empty();
+  this->isDamaged = this->hasFaces ? !hasUsableFaces(this->surface) : hasWrongVertices(made);
+  if (!this->isDamaged)
+  {
+    this->hasNaN = this->hasFaces ? !hasFiniteCorners(this->surface) : hasNaNVertices(made);
+  }
+  if (this->isUsable())
+  {
+    this->joined = welded(this->surface);
+    this->topology = topologyOf(this->joined);
+    this->measure();
+  }
+  if (this->isSolid() && !isTrue(this->model))
+  {
+    this->model.forgetSolid();
+  }
+}
+
+void Subject::measure()
+{
+  evolving::Box box;
+  for (const Cell& face : this->surface.faces)
+  {
+    for (std::size_t k = 0; k < face.size(); ++k)
+    {
+      box.extend(this->surface.corner(face, k));
+    }
+  }
+  if (!box.isEmpty())
+  {
+    this->centre = box.center();
+    const double half = 0.5 * box.diagonal().norm();
+    this->radius = half > 0.0 ? half : 1.0;
+  }
+}
+
+} // namespace robustness

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "EvolutionJudge.h"
+#include "FilterCase.h"
+#include "OutputChecks.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkShrinkWrap.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+
+namespace robustness
+{
+
+namespace
+{
+
+class WrapCase : public FilterCase
+{
+public:
+  WrapCase(const Subject& subject, Random& random)
+    : FilterCase(subject, random)
+  {
+    this->draw(random);
+    this->Filter->SetInputDataObject(subject.data);
+  }
+
+  vtkAlgorithm* filter() override { return this->Filter; }
+
+  std::string whyRefuse() const override
+  {
+    if (this->Input.model.points.empty())
+    {
+      return "";
+    }
+    for (const char* name : { "TargetEdgeLength", "GapSize", "OffsetDistance" })
+    {
+      if (this->Parameters.isNaN(name))
+      {
+        return std::string(name) + " is NaN";
+      }
+    }
+    return "";
+  }
+
+  bool mustAccept() const override
+  {
+    const bool hasExtent = this->Input.hasFaces ? areaOf(this->Input.joined) > 0.0
+                                                : this->Input.isUsable() && this->hasTwoPlaces();
+    return this->Parameters.areSensible() && !this->IsCoarse && this->Input.isUsable() && hasExtent;
+  }
+
+  void judge(std::size_t warnings) override
+  {
+    vtkPolyData* result = this->Filter->GetOutput();
+    const bool liesOnTarget =
+      this->Filter->GetOffsetDistance() == 0.0 && this->Filter->GetGapSize() == 0.0;
+    judgeWrap(this->Input, liesOnTarget, warnings, result);
+    // MaxDistance and MinAngle of the finished surface mean the distance from where it should be,
+    // and are measured anew.
+    judgeHistory(vtkTable::SafeDownCast(this->Filter->GetOutputDataObject(1)), result,
+      { "Time", "Area", "Volume" });
+  }
+
+private:
+  bool hasTwoPlaces() const
+  {
+    const auto& points = this->Input.model.points;
+    return this->Input.model.vertices.empty() && !points.empty() &&
+      std::any_of(
+        points.begin(), points.end(), [&](const Vec3& point) { return point != points.front(); });
+  }
+
+  void draw(Random& random)
+  {
+    const double size = this->Input.radius;
+    const int samples = random.integer(12, 32);
+    const bool isCube = random.chance(0.7);
+    const auto side = [&]() { return isCube ? samples : random.integer(8, 32); };
+    const bool isDefault = random.chance(0.02);
+    if (!isDefault)
+    {
+      this->Filter->SetSampleDimensions(side(), side(), side());
+    }
+    this->IsCoarse = random.chance(0.1);
+    const double length =
+      this->IsCoarse ? random.logarithmic(0.2, 10.0) : random.logarithmic(0.05, 0.2);
+    this->Filter->SetTargetEdgeLength(
+      this->Parameters.number("TargetEdgeLength", isDefault ? 0.0 : length * size));
+    this->Filter->SetGapSize(this->Parameters.rate("GapSize", 0.2, 0.01 * size, 2.0 * size));
+    this->Filter->SetOffsetDistance(
+      this->Parameters.rate("OffsetDistance", 0.15, 0.01 * size, 0.5 * size));
+    this->Filter->SetFeatureAngle(
+      this->Parameters.number("FeatureAngle", random.chance(0.7) ? 45.0 : random.real(0.0, 180.0)));
+    this->Filter->SetStart(
+      random.chance(0.2) ? vtkShrinkWrap::ICOSPHERE : vtkShrinkWrap::ISOSURFACE);
+    this->Filter->SetAdaptToCurvature(random.chance(0.3));
+    this->Filter->SetPreserveFeatures(random.chance(0.4));
+    this->Filter->SetOutputSteps(random.chance(0.1));
+    this->Filter->SetNumberOfSteps(random.chance(0.7) ? 0 : random.integer(1, 20));
+  }
+
+  vtkNew<vtkShrinkWrap> Filter;
+  bool IsCoarse = false; ///< then it may be refused
+};
+
+} // namespace
+
+std::unique_ptr<FilterCase> makeWrapCase(const Subject& subject, Random& random)
+{
+  return std::make_unique<WrapCase>(subject, random);
+}
+
+} // namespace robustness
