@@ -105,16 +105,24 @@ private:
       truth.lower, " and ", truth.upper, " by brute force; a cell is ", this->Cell);
   }
 
-  /// First order: a part of a cell, and its logarithm farther out.
+  /// First order: a cell whose only given neighbour lies across a corner is reached in three steps,
+  /// 1.4 cells too far from a value of up to half a diagonal; errors grow with the logarithm.
   double sweepingError(double distance) const
   {
-    return this->Cell * (1.0 + 0.5 * std::log2(1.0 + distance / this->Cell));
+    return this->Cell * (2.5 + 0.5 * std::log2(1.0 + distance / this->Cell));
   }
 
   /// Is the side that the method gives known there?
   bool knowsSide(const Vec3& place, double distance) const
   {
     if (!this->Input.isSolid() || this->Filter->GetSmoothingSigma() > 0.0)
+    {
+      return false;
+    }
+    // Normals of fins, however narrow, say nothing of the solid's sides.
+    const Topology& topology = this->Input.topology;
+    const bool hasFins = !topology.isClosed() || !topology.isManifold();
+    if (this->Sign == vtkMeshSDF::PSEUDONORMAL && hasFins)
     {
       return false;
     }

@@ -53,13 +53,17 @@ void requireUsableFaces(const Surface& surface)
     "a face of the output has points that are not there, or fewer than three corners");
 }
 
-void requireClosedOutward(const Surface& surface, const Topology& topology)
+void requireClosed(const Topology& topology)
 {
   require(topology.borderEdges == 0, Fault::Borders, topology.borderEdges, " border edges");
   require(topology.isManifold(), Fault::NotManifold, topology.crowdedEdges,
     " edges of several faces, ", topology.crowdedVertices, " vertices of several fans");
   require(topology.isOriented(), Fault::NotOriented, topology.turnedEdges,
     " edges between faces that face opposite ways");
+}
+
+void requireOutward(const Surface& surface)
+{
   const double volume = smallestOuterVolume(surface);
   require(volume > 0.0, volume < 0.0 ? Fault::NotOriented : Fault::NoVolume,
     "a component has the volume ", volume, ", area ", areaOf(surface));

@@ -34,8 +34,10 @@ void requireFinite(vtkDataObject* data);
 void requireStated(const std::string& name, double stated, double measured, double tolerance);
 /// Point numbers that are there, three corners or more.
 void requireUsableFaces(const Surface& surface);
-/// Closed, manifold, oriented, and outwards around a volume.
-void requireClosedOutward(const Surface& surface, const Topology& topology);
+/// Closed, manifold and oriented.
+void requireClosed(const Topology& topology);
+/// Every component of a closed surface, but cavities, is outwards around a volume.
+void requireOutward(const Surface& surface);
 ///@}
 
 } // namespace robustness

@@ -49,7 +49,8 @@ public:
     const Surface surface = surfaceOf(this->Filter->GetOutput());
     requireUsableFaces(surface);
     const Topology topology = topologyOf(surface);
-    requireClosedOutward(surface, topology);
+    requireClosed(topology);
+    requireOutward(surface);
     require(topology.genus() == 0 && topology.components == 1, Fault::NotManifold, "the genus is ",
       topology.genus());
     const int n = this->Filter->GetResolution();

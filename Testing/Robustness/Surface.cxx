@@ -177,12 +177,13 @@ double volumeOf(const Surface& surface, const Vec3& centre)
   double volume = 0.0;
   for (const Cell& face : surface.faces)
   {
+    // By edges: products of far corners would lose the volume of small parts.
+    const Vec3 first = surface.corner(face, 0);
     for (std::size_t k = 1; k + 1 < face.size(); ++k)
     {
-      volume +=
-        (surface.corner(face, 0) - centre)
-          .dot((surface.corner(face, k) - centre).cross(surface.corner(face, k + 1) - centre)) /
-        6.0;
+      const Vec3 twiceArea =
+        (surface.corner(face, k) - first).cross(surface.corner(face, k + 1) - first);
+      volume += (first - centre).dot(twiceArea) / 6.0;
     }
   }
   return volume;

@@ -48,8 +48,12 @@ public:
 
   bool mustAccept() const override
   {
-    const bool hasExtent = this->Input.hasFaces ? areaOf(this->Input.joined) > 0.0
-                                                : this->Input.isUsable() && this->hasTwoPlaces();
+    // Faces on a line have an area by the rounding of their corners.
+    constexpr double LeastArea = 1e-10;
+    const double area = areaOf(this->Input.joined);
+    const bool hasExtent = this->Input.hasFaces
+      ? area > LeastArea * this->Input.radius * this->Input.radius
+      : this->Input.isUsable() && this->hasTwoPlaces();
     return this->Parameters.areSensible() && !this->IsCoarse && this->Input.isUsable() && hasExtent;
   }
 

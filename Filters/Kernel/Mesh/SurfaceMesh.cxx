@@ -151,20 +151,15 @@ double signedVolume(const SurfaceMesh& mesh)
   return signedVolume(mesh, box.center());
 }
 
+/// By vector areas, of edges: the cross products of far corners would lose the volume of small parts.
 double signedVolume(const SurfaceMesh& mesh, const Vec3& center)
 {
-  double sixfold = 0.0;
+  double threefold = 0.0;
   for (Index face = 0; face < mesh.faceCount(); ++face)
   {
-    const Vec3 base = mesh.facePoint(face, 0) - center;
-    for (Index k = 1; k + 1 < mesh.faceSize(face); ++k)
-    {
-      const Vec3 second = mesh.facePoint(face, k) - center;
-      const Vec3 third = mesh.facePoint(face, k + 1) - center;
-      sixfold += base.dot(second.cross(third));
-    }
+    threefold += faceVectorArea(mesh, face).dot(mesh.facePoint(face, 0) - center);
   }
-  return sixfold / 6.0;
+  return threefold / 3.0;
 }
 
 void validate(const SurfaceMesh& mesh)

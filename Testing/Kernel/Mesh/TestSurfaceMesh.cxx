@@ -107,6 +107,26 @@ TEST(SurfaceMesh, VolumeOfTorusConvergesToPappus)
   }
 }
 
+/// Two tetrahedra of a millionth of the distance between them.
+TEST(SurfaceMesh, VolumeIsThatOfSmallPartsFarApart)
+{
+  SurfaceMesh mesh;
+  for (const double x : { 0.0, 1.0 })
+  {
+    const Index first = mesh.vertexCount();
+    for (const Vec3& corner : { Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1) })
+    {
+      mesh.addPoint(Vec3(x, 0.3 * x, 0.0) + 0x1p-20 * corner);
+    }
+    mesh.addFace({ first, first + 2, first + 1 });
+    mesh.addFace({ first, first + 1, first + 3 });
+    mesh.addFace({ first, first + 3, first + 2 });
+    mesh.addFace({ first + 1, first + 2, first + 3 });
+  }
+  const double volume = 2.0 * 0x1p-60 / 6.0;
+  EXPECT_NEAR(signedVolume(mesh), volume, 1e-8 * volume);
+}
+
 TEST(SurfaceMesh, MeasuresDoNotDependOnPlaceOrRotation)
 {
   std::mt19937 generator(11);
