@@ -6,6 +6,7 @@
 #include "DataChecks.h"
 #include "DirtySurfaces.h"
 #include "EventLog.h"
+#include "FilterRuns.h"
 #include "SampleSurfaces.h"
 
 #include "vtkDistanceHierarchy.h"
@@ -104,18 +105,6 @@ const FilterCase Hierarchy = { "Hierarchy", MakeHierarchy, &DirtySurface::Hierar
 vtkIdType PointsOf(vtkAlgorithm* filter)
 {
   return vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfPoints();
-}
-
-//------------------------------------------------------------------------------
-/// Did the filter say one sentence and leave its outputs as new?
-void ExpectRefusal(vtkAlgorithm* filter, const EventLog& log)
-{
-  ASSERT_EQ(log.Errors.size(), 1u);
-  EXPECT_TRUE(IsOneSentence(log.Errors.front()));
-  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
-  {
-    EXPECT_TRUE(IsInitialized(filter->GetOutputDataObject(port)));
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 
 #include "DataChecks.h"
 #include "EventLog.h"
+#include "FilterRuns.h"
 #include "SampleSurfaces.h"
 
 #include "vtkDataArray.h"
@@ -46,13 +47,7 @@ public:
     this->Filter->Update();
   }
 
-  void ExpectRefusal() const
-  {
-    ASSERT_EQ(this->Log.Errors.size(), 1u);
-    EXPECT_TRUE(IsOneSentence(this->Log.Errors.front()));
-    EXPECT_TRUE(IsInitialized(this->Filter->GetOutputDataObject(0)));
-    EXPECT_TRUE(IsInitialized(this->Filter->GetOutputDataObject(1)));
-  }
+  void ExpectRefusal() const { ::ExpectRefusal(this->Filter, this->Log); }
 
   void ExpectResult() const
   {

@@ -3,6 +3,7 @@
 
 // vtkMeshSDF: are the distances, signs and further arrays right?
 
+#include "FilterRuns.h"
 #include "SampleSurfaces.h"
 
 #include "vtkDataArray.h"
@@ -21,18 +22,6 @@
 
 namespace
 {
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> Distance(
-  vtkPolyData* surface, int n, const std::function<void(vtkMeshSDF*)>& setUp = [](vtkMeshSDF*) {})
-{
-  vtkNew<vtkMeshSDF> filter;
-  filter->SetInputData(surface);
-  filter->SetSampleDimensions(n, n, n);
-  setUp(filter);
-  filter->Update();
-  return filter->GetOutput();
-}
 
 //------------------------------------------------------------------------------
 vtkDataArray* Array(vtkImageData* image, const char* name)

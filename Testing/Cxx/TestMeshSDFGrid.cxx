@@ -5,6 +5,7 @@
 
 #include "DataChecks.h"
 #include "EventLog.h"
+#include "FilterRuns.h"
 #include "SampleSurfaces.h"
 
 #include "vtkDataArray.h"
@@ -26,13 +27,6 @@ namespace
 {
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
-
-//------------------------------------------------------------------------------
-vtkInformation* InformationOf(vtkMeshSDF* filter)
-{
-  filter->UpdateInformation();
-  return filter->GetOutputInformation(0);
-}
 
 //------------------------------------------------------------------------------
 TEST(MeshSDFGrid, ExtentIsKnownBeforeTheUpdateAndThePlaceIsNot)

@@ -6,6 +6,7 @@
 #include "ChangedSurfaces.h"
 #include "DataChecks.h"
 #include "EventLog.h"
+#include "FilterRuns.h"
 #include "SampleSurfaces.h"
 #include "SelfCrossingSurfaces.h"
 
@@ -38,25 +39,13 @@ Filter MakeFilter(vtkPolyData* input, int method = vtkMeshSDF::CLOSEST_POINT)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> Distance(vtkPolyData* input, int method = vtkMeshSDF::CLOSEST_POINT)
+vtkSmartPointer<vtkImageData> DistanceBy(vtkPolyData* input, int method = vtkMeshSDF::CLOSEST_POINT)
 {
   const Filter filter = MakeFilter(input, method);
   EventLog log(filter);
   filter->Update();
   EXPECT_TRUE(log.Errors.empty());
   return filter->GetOutput();
-}
-
-//------------------------------------------------------------------------------
-/// One error with these words, and an output as new.
-void ExpectRefusal(vtkMeshSDF* filter, const std::string& words)
-{
-  EventLog log(filter);
-  filter->Update();
-  ASSERT_EQ(log.Errors.size(), 1u) << words;
-  EXPECT_TRUE(IsOneSentence(log.Errors.front()));
-  EXPECT_NE(log.Errors.front().find(words), std::string::npos) << log.Errors.front();
-  EXPECT_TRUE(IsInitialized(filter->GetOutput()));
 }
 
 //------------------------------------------------------------------------------
@@ -69,13 +58,6 @@ vtkNew<vtkCellArray> Cell(const Sample::Polygon& ids)
 }
 
 //------------------------------------------------------------------------------
-std::string NameOfMethod(const testing::TestParamInfo<int>& info)
-{
-  static const char* const names[] = { "ClosestPoint", "FastSweeping", "BruteForce" };
-  return names[info.param];
-}
-
-//------------------------------------------------------------------------------
 class MeshSDFMethod : public testing::TestWithParam<int>
 {
 };
@@ -85,8 +67,8 @@ TEST_P(MeshSDFMethod, MeasuresFromThePointsOfLines)
   const std::vector<Sample::Point> points = { { -1, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 } };
   const auto line = Sample::Make(points, {});
   line->SetLines(Cell({ 0, 1, 2 }));
-  const auto image = Distance(line, GetParam());
-  EXPECT_TRUE(SameImage(Distance(Sample::Make(points, {}), GetParam()), image));
+  const auto image = DistanceBy(line, GetParam());
+  EXPECT_TRUE(SameImage(DistanceBy(Sample::Make(points, {}), GetParam()), image));
   EXPECT_EQ(FieldValue(image, "SignMethod"), vtkMeshSDF::UNSIGNED);
 }
 
@@ -98,7 +80,8 @@ TEST_P(MeshSDFMethod, LeavesVerticesAndLinesBesideFacesOut)
   const auto surface = Sample::Make(points, Sample::PolygonsOf(Sample::Icosphere(2)));
   surface->SetVerts(Cell({ number }));
   surface->SetLines(Cell({ number, number + 1 }));
-  EXPECT_TRUE(SameImage(Distance(Sample::Icosphere(2), GetParam()), Distance(surface, GetParam())));
+  EXPECT_TRUE(
+    SameImage(DistanceBy(Sample::Icosphere(2), GetParam()), DistanceBy(surface, GetParam())));
 }
 
 TEST_P(MeshSDFMethod, LeavesAPointOutThatIsNotANumberAndThatNothingUses)
@@ -106,12 +89,13 @@ TEST_P(MeshSDFMethod, LeavesAPointOutThatIsNotANumberAndThatNothingUses)
   std::vector<Sample::Point> points = Sample::CoordinatesOf(Sample::Icosphere(2));
   points.push_back({ vtkMath::Nan(), vtkMath::Inf(), 0 });
   const auto surface = Sample::Make(points, Sample::PolygonsOf(Sample::Icosphere(2)));
-  EXPECT_TRUE(SameImage(Distance(Sample::Icosphere(2), GetParam()), Distance(surface, GetParam())));
+  EXPECT_TRUE(
+    SameImage(DistanceBy(Sample::Icosphere(2), GetParam()), DistanceBy(surface, GetParam())));
 }
 
 TEST_P(MeshSDFMethod, HasAFiniteDistanceToAKleinBottle)
 {
-  const auto image = Distance(Sample::KleinBottle(30, 16), GetParam());
+  const auto image = DistanceBy(Sample::KleinBottle(30, 16), GetParam());
   EXPECT_TRUE(IsFinite(image));
   EXPECT_EQ(FieldValue(image, "SignMethod"), vtkMeshSDF::WINDING_NUMBER);
   EXPECT_NE(FieldText(image, "SignReason").find("one-sided"), std::string::npos);
@@ -125,25 +109,25 @@ TEST_P(MeshSDFMethod, RefusesWhatIsDamaged)
   {
     const auto vertices = Sample::PointsOf(sphere);
     vertices->SetVerts(Cell({ wrong }));
-    ExpectRefusal(MakeFilter(vertices, GetParam()), "refers to point " + std::to_string(wrong));
+    ExpectRefusalOf(MakeFilter(vertices, GetParam()), "refers to point " + std::to_string(wrong));
     const auto polygons = Sample::Make(Sample::CoordinatesOf(sphere), { { 0, 1, wrong } });
-    ExpectRefusal(MakeFilter(polygons, GetParam()), "refers to point " + std::to_string(wrong));
+    ExpectRefusalOf(MakeFilter(polygons, GetParam()), "refers to point " + std::to_string(wrong));
   }
   const auto points = Sample::Make({ { 0, 0, 0 }, { vtkMath::Nan(), 0, 0 } }, {});
-  ExpectRefusal(MakeFilter(points, GetParam()), "nan");
+  ExpectRefusalOf(MakeFilter(points, GetParam()), "nan");
   const auto nowhere = Sample::Make({ { 1, 2, 3 }, { 1, 2, 3 }, { 1, 2, 3 } }, { { 0, 1, 2 } });
-  ExpectRefusal(MakeFilter(nowhere, GetParam()), "three different corners");
+  ExpectRefusalOf(MakeFilter(nowhere, GetParam()), "three different corners");
 }
 
 TEST_P(MeshSDFMethod, RefusesSizesThatFloatsCannotHold)
 {
   for (const double size : { 1e-50, 1e-32, 1e32, 1e39, 1e200 })
   {
-    ExpectRefusal(MakeFilter(Sample::Icosphere(1, size), GetParam()), "single precision");
+    ExpectRefusalOf(MakeFilter(Sample::Icosphere(1, size), GetParam()), "single precision");
   }
   for (const double size : { 1e-30, 1e30 })
   {
-    const auto image = Distance(Sample::Icosphere(1, size), GetParam());
+    const auto image = DistanceBy(Sample::Icosphere(1, size), GetParam());
     EXPECT_TRUE(IsFinite(image));
     EXPECT_NEAR(image->GetPointData()->GetScalars()->GetTuple1(665) / size, -0.88, 0.12);
   }
@@ -155,7 +139,7 @@ TEST_P(MeshSDFMethod, RefusesModelBoundsThatFloatsCannotHold)
   {
     const Filter filter = MakeFilter(Sample::Icosphere(1), GetParam());
     filter->SetModelBounds(-3 * end, 3 * end, -3 * end, 3 * end, -3 * end, 3 * end);
-    ExpectRefusal(filter, "single precision");
+    ExpectRefusalOf(filter, "single precision");
   }
   const Filter filter = MakeFilter(Sample::Icosphere(1), GetParam());
   filter->SetModelBounds(-1e37, 1e37, -1e37, 1e37, -1e37, 1e37);
@@ -177,7 +161,7 @@ TEST(MeshSDFNothing, IsAnEmptyImage)
   noPoints->SetPolys(Cell({ 0, 1, 2 }));
   for (const auto& input : { nothing, noPoints })
   {
-    EXPECT_TRUE(IsInitialized(Distance(input)));
+    EXPECT_TRUE(IsInitialized(DistanceBy(input)));
   }
 }
 

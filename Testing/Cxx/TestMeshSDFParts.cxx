@@ -3,6 +3,7 @@
 
 // vtkMeshSDF: parts of the grid are those of the whole.
 
+#include "FilterRuns.h"
 #include "SampleSurfaces.h"
 
 #include "vtkDataArray.h"
@@ -22,13 +23,6 @@ namespace
 {
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
-
-//------------------------------------------------------------------------------
-vtkInformation* InformationOf(vtkMeshSDF* filter)
-{
-  filter->UpdateInformation();
-  return filter->GetOutputInformation(0);
-}
 
 //------------------------------------------------------------------------------
 struct PartCase

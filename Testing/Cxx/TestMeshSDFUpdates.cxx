@@ -5,6 +5,7 @@
 
 #include "DataChecks.h"
 #include "EventLog.h"
+#include "FilterRuns.h"
 #include "SampleSurfaces.h"
 
 #include "vtkImageData.h"
@@ -32,13 +33,6 @@ Filter MakeFilter(int method)
   filter->SetSampleDimensions(16, 16, 16);
   filter->SetMethod(method);
   return filter;
-}
-
-//------------------------------------------------------------------------------
-std::string NameOfMethod(const testing::TestParamInfo<int>& info)
-{
-  static const char* const names[] = { "ClosestPoint", "FastSweeping", "BruteForce" };
-  return names[info.param];
 }
 
 //------------------------------------------------------------------------------

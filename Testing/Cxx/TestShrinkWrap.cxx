@@ -6,6 +6,7 @@
 #include "ChangedSurfaces.h"
 #include "DataChecks.h"
 #include "EventLog.h"
+#include "FilterRuns.h"
 #include "SampleSurfaces.h"
 #include "SurfaceMeasures.h"
 
@@ -26,16 +27,6 @@ namespace
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 //------------------------------------------------------------------------------
-/// Coarse enough for a test: a tenth of a second or so.
-void SetUpCoarsely(vtkShrinkWrap* filter, vtkPolyData* input)
-{
-  filter->SetInputData(input);
-  filter->SetSampleDimensions(40, 40, 40);
-  filter->SetTargetEdgeLength(std::sqrt(AreaOf(input) / 900.0));
-  filter->SetNumberOfSteps(30);
-}
-
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> Wrapped(
   vtkPolyData* input, const std::function<void(vtkShrinkWrap*)>& setUp = [](vtkShrinkWrap*) {})
 {
@@ -46,19 +37,6 @@ vtkSmartPointer<vtkPolyData> Wrapped(
   filter->Update();
   EXPECT_TRUE(log.Errors.empty()) << log.Errors.front();
   return filter->GetOutput();
-}
-
-//------------------------------------------------------------------------------
-/// Is it what its field data say, and is that a closed oriented 2-manifold of this genus?
-void ExpectClosed(vtkPolyData* surface, int genus)
-{
-  EXPECT_EQ(FieldValue(surface, "IsClosed"), 1.0);
-  EXPECT_EQ(FieldValue(surface, "IsManifold"), 1.0);
-  EXPECT_EQ(FieldValue(surface, "Genus"), genus);
-  EXPECT_EQ(CountBadEdges(surface), 0);
-  EXPECT_EQ(EulerCharacteristic(surface), 2 - 2 * genus);
-  EXPECT_GT(VolumeOf(surface), 0.0);
-  EXPECT_TRUE(IsFinite(surface));
 }
 
 //------------------------------------------------------------------------------

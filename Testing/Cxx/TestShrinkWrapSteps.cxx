@@ -5,6 +5,7 @@
 
 #include "DataChecks.h"
 #include "EventLog.h"
+#include "FilterRuns.h"
 #include "SampleSurfaces.h"
 #include "SurfaceMeasures.h"
 
@@ -26,29 +27,6 @@ namespace
 {
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
-
-//------------------------------------------------------------------------------
-/// Coarse enough for a test: a tenth of a second or so.
-void SetUpCoarsely(vtkShrinkWrap* filter, vtkPolyData* input)
-{
-  filter->SetInputData(input);
-  filter->SetSampleDimensions(40, 40, 40);
-  filter->SetTargetEdgeLength(std::sqrt(AreaOf(input) / 900.0));
-  filter->SetNumberOfSteps(30);
-}
-
-//------------------------------------------------------------------------------
-/// Is it what its field data say, and is that a closed oriented 2-manifold of this genus?
-void ExpectClosed(vtkPolyData* surface, int genus)
-{
-  EXPECT_EQ(FieldValue(surface, "IsClosed"), 1.0);
-  EXPECT_EQ(FieldValue(surface, "IsManifold"), 1.0);
-  EXPECT_EQ(FieldValue(surface, "Genus"), genus);
-  EXPECT_EQ(CountBadEdges(surface), 0);
-  EXPECT_EQ(EulerCharacteristic(surface), 2 - 2 * genus);
-  EXPECT_GT(VolumeOf(surface), 0.0);
-  EXPECT_TRUE(IsFinite(surface));
-}
 
 //------------------------------------------------------------------------------
 TEST(ShrinkWrapSteps, TheResultAlonePublishesNoTime)

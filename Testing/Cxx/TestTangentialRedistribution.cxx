@@ -6,6 +6,7 @@
 #include "ChangedSurfaces.h"
 #include "DataChecks.h"
 #include "EventLog.h"
+#include "FilterRuns.h"
 #include "SampleSurfaces.h"
 #include "SurfaceMeasures.h"
 
@@ -31,19 +32,6 @@ namespace
 {
 
 using Sample::Point;
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> Redistributed(
-  vtkPolyData* surface,
-  const std::function<void(vtkTangentialRedistribution*)>& setUp =
-    [](vtkTangentialRedistribution*) {})
-{
-  vtkNew<vtkTangentialRedistribution> filter;
-  filter->SetInputData(surface);
-  setUp(filter);
-  filter->Update();
-  return filter->GetOutput();
-}
 
 //------------------------------------------------------------------------------
 template <typename Array>

@@ -4,6 +4,7 @@
 // vtkTangentialRedistribution: sharp edges, corners and boundaries.
 
 #include "ChangedSurfaces.h"
+#include "FilterRuns.h"
 #include "SampleSurfaces.h"
 #include "SurfaceMeasures.h"
 
@@ -22,19 +23,6 @@ namespace
 {
 
 using Sample::Point;
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> Redistributed(
-  vtkPolyData* surface,
-  const std::function<void(vtkTangentialRedistribution*)>& setUp =
-    [](vtkTangentialRedistribution*) {})
-{
-  vtkNew<vtkTangentialRedistribution> filter;
-  filter->SetInputData(surface);
-  setUp(filter);
-  filter->Update();
-  return filter->GetOutput();
-}
 
 //------------------------------------------------------------------------------
 TEST(TangentialRedistributionCurves, SharpEdgesAndCornersAreKept)

@@ -3,9 +3,13 @@
 
 #include "Distance/ClosestPoint/ClosestOnGrid.h"
 
+#include "Checks/AllTriangles.h"
 #include "Distance/ClosestTriangles.h"
-#include "DistanceShapes.h"
 #include "Errors.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
 #include "ThreadedExecution.h"
 #include "Trees/TriangleGeometry.h"
 
@@ -16,23 +20,12 @@
 #include <limits>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 namespace
 {
 
 constexpr double Everywhere = std::numeric_limits<double>::infinity();
-
-double distanceToAll(const SurfaceMesh& mesh, const Vec3& point)
-{
-  double squared = Everywhere;
-  for (Index face = 0; face < mesh.faceCount(); ++face)
-  {
-    squared =
-      std::min(squared, closestPointOnTriangle(point, triangleOf(mesh, face)).squaredDistance);
-  }
-  return std::sqrt(squared);
-}
 
 /// Compares with all triangles: the distance, and that of the triangle that is named.
 void expectExact(const SurfaceMesh& mesh, const DistanceGrid& grid)
@@ -45,7 +38,7 @@ void expectExact(const SurfaceMesh& mesh, const DistanceGrid& grid)
     [&](GridIndex sample, const Vec3& point)
     {
       const auto s = static_cast<std::size_t>(sample);
-      const double exact = distanceToAll(mesh, point);
+      const double exact = checks::distanceToAll(mesh, point);
       const double tolerance = 2e-6 * exact + least;
       ASSERT_NEAR(closest.distance[s], exact, tolerance);
       const Triangle named = triangleOf(mesh, closest.triangle[s]);
@@ -70,9 +63,9 @@ SurfaceMesh pointCloud(int count)
 
 TEST(ClosestOnGrid, IsExactForShapesSoupsAndPoints)
 {
-  const SurfaceMesh shapes[] = { sphere(3), torus(1.0, 0.35, 30, 15),
+  const SurfaceMesh shapes[] = { sphere(3), torus(30, 15, 1.0, 0.35),
     box(Vec3(-1, -0.6, -0.3), Vec3(1, 0.6, 0.3)), bowl(3, 0.2), randomSoup(200, 0.5, 3),
-    pointCloud(150), merged(sphere(2), insideOut(sphere(2, 0.5))) };
+    pointCloud(150), merged(sphere(2), reversed(sphere(2, 0.5))) };
   for (const SurfaceMesh& mesh : shapes)
   {
     expectExact(mesh, gridAround(boundingBox(mesh), { 23, 21, 22 }, 0.1));
@@ -88,7 +81,7 @@ TEST(ClosestOnGrid, IsExactInsideASphereWhereAllTrianglesAreAlmostAsClose)
 
 TEST(ClosestOnGrid, IsExactInGridsThatCutOrMissTheSurface)
 {
-  const SurfaceMesh mesh = torus(1.0, 0.35, 30, 15);
+  const SurfaceMesh mesh = torus(30, 15, 1.0, 0.35);
   const Vec3 ends[] = { Vec3(0, 0, 0), Vec3(2, 1, 0.3), Vec3(3, 3, 3), Vec3(4, 4, 4),
     Vec3(-0.3, -0.3, -0.1), Vec3(0.3, 0.3, 0.1), Vec3(1, 0, 0), Vec3(1.0001, 1e-4, 1e-4) };
   for (std::size_t n = 0; n < 8; n += 2)
@@ -125,7 +118,7 @@ TEST(ClosestOnGrid, IsExactForDegenerateTrianglesAndLongOnes)
 
 TEST(ClosestOnGrid, OfAPartIsThatOfTheWholeBitForBit)
 {
-  const SurfaceMesh mesh = torus(1.0, 0.35, 60, 30);
+  const SurfaceMesh mesh = torus(60, 30, 1.0, 0.35);
   DistanceGrid grid = gridAround(boundingBox(mesh), { 40, 37, 21 }, 0.1);
   grid.extent = { -3, 36, 2, 38, 0, 20 }; // extents may begin anywhere
   const GridClosest whole = closestOnGrid(mesh, grid, Everywhere);
@@ -152,7 +145,7 @@ TEST(ClosestOnGrid, OfAPartIsThatOfTheWholeBitForBit)
 
 TEST(ClosestOnGrid, IsTheSameForAnyNumberOfThreadsAndAnyInstructions)
 {
-  const SurfaceMesh mesh = torus(1.0, 0.35, 40, 20);
+  const SurfaceMesh mesh = torus(40, 20, 1.0, 0.35);
   const DistanceGrid grid = gridAround(boundingBox(mesh), { 40, 36, 28 }, 0.1);
   const GridClosest serial = closestOnGrid(mesh, grid, Everywhere);
   for (const int threads : { 1, 2, 8 })

@@ -3,17 +3,20 @@
 
 #include "Distance/ClosestTriangles.h"
 
-#include "DistanceShapes.h"
+#include "Shapes/Tubes.h"
 #include "ThreadedExecution.h"
+#include "Trees/AABBTree.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 TEST(ClosestTriangles, AreThoseOfSingleQueries)
 {
-  const SurfaceMesh mesh = torus(1.0, 0.3, 20, 10);
+  const SurfaceMesh mesh = torus(20, 10, 1.0, 0.3);
   const AABBTree tree(mesh);
   const DistanceGrid grid = gridAround(boundingBox(mesh), { 14, 13, 7 }, 0.1);
   const std::vector<Index> triangles = queryClosestTriangles(tree, grid);
@@ -25,7 +28,7 @@ TEST(ClosestTriangles, AreThoseOfSingleQueries)
 
 TEST(ClosestTriangles, OnTheBoundaryAreThoseOfTheWholeGrid)
 {
-  const SurfaceMesh mesh = torus(1.0, 0.3, 20, 10);
+  const SurfaceMesh mesh = torus(20, 10, 1.0, 0.3);
   const AABBTree tree(mesh);
   for (const std::array<int, 3>& size : { std::array<int, 3>{ 9, 7, 8 }, { 9, 7, 1 }, { 1, 1, 5 } })
   {

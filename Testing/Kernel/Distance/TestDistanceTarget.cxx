@@ -3,8 +3,10 @@
 
 #include "Distance/DistanceTarget.h"
 
-#include "DistanceShapes.h"
 #include "Errors.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +15,7 @@
 #include <vector>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 TEST(DistanceTarget, WeldsASoupAndKeepsFaceNumbers)
 {
@@ -37,7 +39,7 @@ TEST(DistanceTarget, WeldsASoupAndKeepsFaceNumbers)
 TEST(DistanceTarget, KeepsOneOfDuplicateFaces)
 {
   SurfaceMesh twice = merged(sphere(1), sphere(1));
-  twice = merged(twice, insideOut(sphere(1)));
+  twice = merged(twice, reversed(sphere(1)));
   const DistanceTarget target = makeDistanceTarget(twice);
   EXPECT_EQ(target.mesh.faceCount(), sphere(1).faceCount());
   EXPECT_TRUE(target.orientation.isClosed());

@@ -6,79 +6,29 @@
 
 #include "Distance/ClosestTriangles.h"
 #include "Distance/SignedDistance.h"
-#include "DistanceShapes.h"
 #include "Errors.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
 #include "Trees/TriangleGeometry.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 namespace
 {
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-
-/// A closed strip of two points an entry, with half a twist.
-SurfaceMesh moebius(int count)
-{
-  SurfaceMesh mesh;
-  for (int i = 0; i < count; ++i)
-  {
-    const double u = 2.0 * Pi * i / count;
-    const Vec3 outwards(std::cos(u), std::sin(u), 0.0);
-    const Vec3 across = 0.4 * (std::cos(u / 2) * outwards + std::sin(u / 2) * Vec3::UnitZ());
-    mesh.addPoint(outwards - across);
-    mesh.addPoint(outwards + across);
-  }
-  for (Index i = 0; i < count; ++i)
-  {
-    const bool last = i + 1 == count;
-    const Index low = last ? 1 : 2 * i + 2;
-    const Index high = last ? 0 : 2 * i + 3;
-    mesh.addFace({ 2 * i, low, high });
-    mesh.addFace({ 2 * i, high, 2 * i + 1 });
-  }
-  return mesh;
-}
-
-/// A tube of figure-eight section with half a twist.
-SurfaceMesh klein(int around, int across)
-{
-  SurfaceMesh mesh;
-  for (int i = 0; i < around; ++i)
-  {
-    for (int j = 0; j < across; ++j)
-    {
-      const double u = 2.0 * Pi * i / around;
-      const double v = 2.0 * Pi * (j + 0.5) / across;
-      const double a = 0.4 * std::sin(v);
-      const double b = 0.4 * std::sin(2.0 * v);
-      const double r = 1.0 + std::cos(u / 2) * a - std::sin(u / 2) * b;
-      mesh.addPoint(
-        Vec3(r * std::cos(u), r * std::sin(u), std::sin(u / 2) * a + std::cos(u / 2) * b));
-    }
-  }
-  // After a full turn v has become -v.
-  const auto number = [=](int i, int j)
-  { return i < around ? i * across + j % across : across - 1 - j % across; };
-  for (int i = 0; i < around; ++i)
-  {
-    for (int j = 0; j < across; ++j)
-    {
-      mesh.addFace({ number(i, j), number(i + 1, j), number(i + 1, j + 1) });
-      mesh.addFace({ number(i, j), number(i + 1, j + 1), number(i, j + 1) });
-    }
-  }
-  return mesh;
-}
 
 SurfaceMesh withUnreferencedPoints()
 {
@@ -102,7 +52,7 @@ SurfaceMesh square()
 }
 
 /// The distance by the definition. A face that uses a point twice is not part of the surface.
-double distanceToAll(const SurfaceMesh& mesh, const Vec3& point)
+double distanceToProperFaces(const SurfaceMesh& mesh, const Vec3& point)
 {
   double smallest = std::numeric_limits<double>::infinity();
   for (Index face = 0; face < mesh.faceCount(); ++face)
@@ -147,7 +97,7 @@ void expectDistances(const SurfaceMesh& mesh, const DistanceGrid& grid)
       {
         const double distance = result.distance[static_cast<std::size_t>(sample)];
         ASSERT_TRUE(std::isfinite(distance));
-        worst = std::max(worst, std::abs(std::abs(distance) - distanceToAll(mesh, point)));
+        worst = std::max(worst, std::abs(std::abs(distance) - distanceToProperFaces(mesh, point)));
       });
     EXPECT_LE(worst, slackOf(method) * grid.spacing.x())
       << "method " << static_cast<int>(method) << " on " << grid.dimension(0) << " x "
@@ -169,7 +119,7 @@ const InputClass Classes[] = {
     []
     {
       const SurfaceMesh one = triangleMesh(Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0));
-      return merged(one, insideOut(one));
+      return merged(one, reversed(one));
     } },
   { "CollinearTriangle",
     [] { return triangleMesh(Vec3(-1, 0, 0), Vec3(1, 0.5, 0), Vec3(0, 0.25, 0)); } },
@@ -178,8 +128,8 @@ const InputClass Classes[] = {
       return merged(sphere(2), triangleMesh(Vec3(-1, -1, 1), Vec3(1, -1, 1), Vec3(0.3, -1, 1)));
     } },
   { "Planar", square }, { "Unreferenced", withUnreferencedPoints },
-  { "RepeatedFaces", [] { return merged(sphere(2), merged(sphere(2), insideOut(sphere(2)))); } },
-  { "Flipped", [] { return insideOut(sphere(2)); } },
+  { "RepeatedFaces", [] { return merged(sphere(2), merged(sphere(2), reversed(sphere(2)))); } },
+  { "Flipped", [] { return reversed(sphere(2)); } },
   { "MixedOrientation",
     [] { return turned(sphere(2), [](Index face) { return face % 3 == 0; }); } },
   { "Open", [] { return bowl(3, 0.2); } },
@@ -191,8 +141,9 @@ const InputClass Classes[] = {
   { "NonManifoldVertex",
     []
     { return merged(box(Vec3(-1, -1, -1), Vec3(0, 0, 0)), box(Vec3(0, 0, 0), Vec3(1, 1, 1))); } },
-  { "SelfIntersecting", [] { return torus(0.5, 0.8, 24, 16); } },
-  { "Moebius", [] { return moebius(30); } }, { "Klein", [] { return klein(30, 16); } },
+  { "SelfIntersecting", [] { return torus(24, 16, 0.5, 0.8); } },
+  { "Moebius", [] { return fanned(moebiusBand(30, 1.0, 0.4)); } },
+  { "Klein", [] { return kleinBottle(30, 16); } },
   { "FarAway", [] { return sphere(2, 1.0, Vec3(1e6, -1e6, 1e6)); } },
   { "Soup", [] { return randomSoup(60, 0.5, 3); } }
 };

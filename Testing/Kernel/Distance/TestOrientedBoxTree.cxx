@@ -3,17 +3,21 @@
 
 #include "Distance/ClosestPoint/OrientedBox.h"
 #include "Distance/ClosestPoint/OrientedBoxTree.h"
-#include "DistanceShapes.h"
 #include "Errors.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
 #include "ThreadedExecution.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -70,7 +74,7 @@ std::vector<Index> checkedTriangles(
 
 TEST(OrientedBoxTree, HasEveryTriangleOnceAndInAllBoxesAboveIt)
 {
-  const SurfaceMesh shapes[] = { sphere(3), torus(1.0, 0.35, 21, 9), randomSoup(57, 0.5, 3),
+  const SurfaceMesh shapes[] = { sphere(3), torus(21, 9, 1.0, 0.35), randomSoup(57, 0.5, 3),
     randomSoup(1, 0.5, 3), randomSoup(8, 0.5, 1), randomSoup(9, 0.5, 1), randomSoup(73, 0.5, 1) };
   for (const SurfaceMesh& mesh : shapes)
   {
@@ -88,7 +92,7 @@ TEST(OrientedBoxTree, HasEveryTriangleOnceAndInAllBoxesAboveIt)
 
 TEST(OrientedBoxTree, IsTheSameForAnyNumberOfThreads)
 {
-  const std::vector<Triangle> triangles = trianglesOf(torus(1.0, 0.35, 60, 30));
+  const std::vector<Triangle> triangles = trianglesOf(torus(60, 30, 1.0, 0.35));
   const OrientedBoxTree serial(triangles, Margin);
   for (const int threads : { 2, 8 })
   {

@@ -4,8 +4,13 @@
 #include "Distance/SignedDistance.h"
 
 #include "Distance/ClosestTriangles.h"
-#include "DistanceShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/SampledOnGrid.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
 #include "ThreadedExecution.h"
+#include "Trees/TriangleGeometry.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +18,7 @@
 #include <cmath>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -25,23 +30,6 @@ SignedDistanceResult distanceOn(const DistanceGrid& grid, const SurfaceMesh& mes
   options.method = method;
   options.sign = sign;
   return signedDistance(mesh, grid, grid.extent, options);
-}
-
-double boxDistance(const Vec3& point, const Vec3& half)
-{
-  const Vec3 q = point.cwiseAbs() - half;
-  return q.cwiseMax(0.0).norm() + std::min(q.maxCoeff(), 0.0);
-}
-
-SurfaceMesh soupOf(const SurfaceMesh& mesh)
-{
-  SurfaceMesh soup;
-  for (Index face = 0; face < mesh.faceCount(); ++face)
-  {
-    soup.addFace({ soup.addPoint(mesh.facePoint(face, 0)), soup.addPoint(mesh.facePoint(face, 1)),
-      soup.addPoint(mesh.facePoint(face, 2)) });
-  }
-  return soup;
 }
 
 } // namespace
@@ -90,7 +78,7 @@ TEST(SignedDistance, OfASphereConvergesWithTheMesh)
 
 TEST(SignedDistance, FastSweepingIsOfFirstOrder)
 {
-  const SurfaceMesh mesh = torus(1.0, 0.4, 120, 60);
+  const SurfaceMesh mesh = torus(120, 60, 1.0, 0.4);
   double errors[2];
   int n = 40;
   for (double& error : errors)
@@ -233,7 +221,7 @@ TEST(SignedDistance, LosesNothingFarFromTheOrigin)
 {
   // Coordinates that a double can hold exactly, so that nothing is lost by moving the mesh.
   const Vec3 far(1 << 24, -(1 << 23), 1 << 25);
-  SurfaceMesh near = torus(1.0, 0.4, 30, 16);
+  SurfaceMesh near = torus(30, 16, 1.0, 0.4);
   for (Vec3& point : near.points)
   {
     point = (point * 1048576.0).array().round() / 1048576.0;
@@ -256,7 +244,7 @@ TEST(SignedDistance, LosesNothingFarFromTheOrigin)
 
 TEST(SignedDistance, ScalesWithTheModel)
 {
-  const SurfaceMesh unit = torus(1.0, 0.4, 30, 16);
+  const SurfaceMesh unit = torus(30, 16, 1.0, 0.4);
   const DistanceGrid unitGrid = gridAround(boundingBox(unit), { 16, 16, 12 }, 0.1);
   for (const double scale : { 1e-30, 1e30 })
   {
@@ -281,7 +269,7 @@ TEST(SignedDistance, ScalesWithTheModel)
 
 TEST(SignedDistance, OfASoupIsThatOfItsMesh)
 {
-  const SurfaceMesh mesh = torus(1.0, 0.4, 30, 16);
+  const SurfaceMesh mesh = torus(30, 16, 1.0, 0.4);
   const DistanceGrid grid = gridAround(boundingBox(mesh), { 20, 20, 12 }, 0.1);
   const auto fromMesh = distanceOn(grid, mesh, DistanceMethod::BruteForce);
   const auto fromSoup = distanceOn(grid, soupOf(mesh), DistanceMethod::BruteForce);

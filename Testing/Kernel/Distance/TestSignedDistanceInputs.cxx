@@ -3,18 +3,22 @@
 
 #include "Distance/SignedDistance.h"
 
+#include "Checks/Refusal.h"
 #include "Distance/ClosestTriangles.h"
-#include "DistanceShapes.h"
 #include "Errors.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -51,7 +55,7 @@ void expectFinite(const SurfaceMesh& mesh, const DistanceGrid& grid)
   }
 }
 
-DistanceGrid cubicGrid(int n)
+DistanceGrid roomyGrid(int n)
 {
   return gridAround(Box(Vec3(-1, -1, -1), Vec3(1, 1, 1)), { n, n, n }, 0.2);
 }
@@ -60,15 +64,7 @@ DistanceGrid cubicGrid(int n)
 std::string complaint(
   const SurfaceMesh& mesh, const DistanceGrid& grid, const SignedDistanceOptions& options)
 {
-  try
-  {
-    signedDistance(mesh, grid, grid.extent, options);
-  }
-  catch (const InputError& error)
-  {
-    return error.what();
-  }
-  return "";
+  return checks::refusalOf([&] { signedDistance(mesh, grid, grid.extent, options); });
 }
 
 } // namespace
@@ -76,9 +72,9 @@ std::string complaint(
 TEST(SignedDistanceInputs, OneTriangleIsASheet)
 {
   const SurfaceMesh mesh = triangleMesh(Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0));
-  expectFinite(mesh, cubicGrid(12));
+  expectFinite(mesh, roomyGrid(12));
   SignedDistanceOptions options;
-  const auto result = signedDistance(mesh, cubicGrid(12), cubicGrid(12).extent, options);
+  const auto result = signedDistance(mesh, roomyGrid(12), roomyGrid(12).extent, options);
   EXPECT_EQ(result.sign, SignMethod::WindingNumber);
   // A flat sheet encloses nothing.
   EXPECT_GE(*std::min_element(result.distance.begin(), result.distance.end()), 0.0F);
@@ -90,8 +86,8 @@ TEST(SignedDistanceInputs, DegenerateTrianglesCountAsSegmentsAndPoints)
   const SurfaceMesh segment =
     triangleMesh(Vec3(-0.9, -0.9, 0.9), Vec3(0.9, -0.9, 0.9), Vec3(0, -0.9, 0.9));
   const SurfaceMesh mesh = merged(sphere(2, 0.5), segment);
-  expectFinite(mesh, cubicGrid(12));
-  const DistanceGrid grid = cubicGrid(20);
+  expectFinite(mesh, roomyGrid(12));
+  const DistanceGrid grid = roomyGrid(20);
   SignedDistanceOptions options;
   options.sign = SignMethod::Unsigned;
   const auto result = signedDistance(mesh, grid, grid.extent, options);
@@ -106,13 +102,13 @@ TEST(SignedDistanceInputs, DegenerateTrianglesCountAsSegmentsAndPoints)
 
 TEST(SignedDistanceInputs, OnlyDegenerateTriangles)
 {
-  expectFinite(triangleMesh(Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(0, 0, 0)), cubicGrid(9));
+  expectFinite(triangleMesh(Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(0, 0, 0)), roomyGrid(9));
 }
 
 TEST(SignedDistanceInputs, DuplicateFacesOfAnyOrientationChangeNothing)
 {
   const SurfaceMesh mesh = sphere(3);
-  const DistanceGrid grid = cubicGrid(16);
+  const DistanceGrid grid = roomyGrid(16);
   const SurfaceMesh some = without(mesh, [](Index face) { return face % 4 != 0; });
   for (const DistanceMethod method : Methods)
   {
@@ -123,7 +119,7 @@ TEST(SignedDistanceInputs, DuplicateFacesOfAnyOrientationChangeNothing)
       options.sign = sign;
       const auto expected = signedDistance(mesh, grid, grid.extent, options);
       for (const SurfaceMesh& doubled :
-        { merged(mesh, some), merged(mesh, insideOut(some)), merged(mesh, insideOut(mesh)) })
+        { merged(mesh, some), merged(mesh, reversed(some)), merged(mesh, reversed(mesh)) })
       {
         const auto result = signedDistance(doubled, grid, grid.extent, options);
         EXPECT_EQ(result.distance, expected.distance);
@@ -145,10 +141,10 @@ TEST(SignedDistanceInputs, FlatMeshes)
 
 TEST(SignedDistanceInputs, OpenAndNonManifoldAndRandomSurfaces)
 {
-  expectFinite(bowl(3, 0.2), cubicGrid(14));
-  expectFinite(randomSoup(100, 0.5, 3), cubicGrid(14));
+  expectFinite(bowl(3, 0.2), roomyGrid(14));
+  expectFinite(randomSoup(100, 0.5, 3), roomyGrid(14));
   expectFinite(merged(box(Vec3(-1, -1, -1), Vec3(0, 0, 0)), box(Vec3(0, 0, -1), Vec3(1, 1, 0))),
-    cubicGrid(14));
+    roomyGrid(14));
 }
 
 TEST(SignedDistanceInputs, GridsOfOneSampleAlongAxes)
@@ -174,7 +170,7 @@ TEST(SignedDistanceInputs, PolygonsAreCut)
   cube.addFace({ 2, 6, 7, 3 });
   cube.addFace({ 0, 4, 6, 2 });
   cube.addFace({ 1, 3, 7, 5 });
-  const DistanceGrid grid = cubicGrid(15);
+  const DistanceGrid grid = roomyGrid(15);
   SignedDistanceOptions options;
   options.closestFace = true;
   const auto result = signedDistance(cube, grid, grid.extent, options);
@@ -188,7 +184,7 @@ TEST(SignedDistanceInputs, PointsHaveAnUnsignedDistance)
 {
   SurfaceMesh points;
   points.points = { Vec3(0.1, 0.2, 0.3), Vec3(-0.5, 0.4, -0.3), Vec3(0.1, 0.2, 0.3) };
-  const DistanceGrid grid = cubicGrid(17);
+  const DistanceGrid grid = roomyGrid(17);
   for (const DistanceMethod method : Methods)
   {
     SignedDistanceOptions options;
@@ -214,7 +210,7 @@ TEST(SignedDistanceInputs, PointsHaveAnUnsignedDistance)
 
 TEST(SignedDistanceInputs, AreRefusedWithOneSentence)
 {
-  const DistanceGrid grid = cubicGrid(8);
+  const DistanceGrid grid = roomyGrid(8);
   const SignedDistanceOptions standard;
   EXPECT_NE(complaint(SurfaceMesh(), grid, standard), "");
   SurfaceMesh broken = sphere(1);
@@ -248,7 +244,7 @@ TEST(SignedDistanceInputs, AreRefusedWithOneSentence)
 TEST(SignedDistanceInputs, StopsWhenAskedInEveryPhase)
 {
   const SurfaceMesh mesh = bowl(3, 0.2);
-  const DistanceGrid grid = cubicGrid(20);
+  const DistanceGrid grid = roomyGrid(20);
   for (const DistanceMethod method : Methods)
   {
     SignedDistanceOptions options;
@@ -293,7 +289,7 @@ TEST(SignedDistanceInputs, ProgressRisesFromZeroToOne)
     std::vector<double> fractions;
     const Execution reporting(
       nullptr, [&](double fraction) { fractions.push_back(fraction); }, nullptr);
-    signedDistance(bowl(3, 0.2), cubicGrid(20), cubicGrid(20).extent, options, reporting);
+    signedDistance(bowl(3, 0.2), roomyGrid(20), roomyGrid(20).extent, options, reporting);
     EXPECT_EQ(fractions.front(), 0.0);
     EXPECT_EQ(fractions.back(), 1.0);
     EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));

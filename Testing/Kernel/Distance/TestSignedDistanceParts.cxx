@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Distance/SignedDistance.h"
-
-#include "DistanceShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Tubes.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <cmath>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -48,7 +48,7 @@ const auto Same = [](auto a, auto b) { ASSERT_EQ(a, b); };
 
 SurfaceMesh holedTorus()
 {
-  return without(torus(1.0, 0.4, 40, 20), [](Index face) { return face % 13 == 0; });
+  return without(torus(40, 20, 1.0, 0.4), [](Index face) { return face % 13 == 0; });
 }
 
 DistanceGrid gridOf(const SurfaceMesh& mesh)
@@ -60,7 +60,7 @@ DistanceGrid gridOf(const SurfaceMesh& mesh)
 
 TEST(SignedDistanceParts, AreThoseOfTheWholeBitForBit)
 {
-  for (const SurfaceMesh& mesh : { torus(1.0, 0.4, 40, 20), holedTorus() })
+  for (const SurfaceMesh& mesh : { torus(40, 20, 1.0, 0.4), holedTorus() })
   {
     const DistanceGrid grid = gridOf(mesh);
     for (int n = 0; n < 8; ++n)
@@ -90,7 +90,7 @@ TEST(SignedDistanceParts, AreThoseOfTheWholeBitForBit)
 
 TEST(SignedDistanceParts, OfASmoothedFieldAreThoseOfTheWhole)
 {
-  const SurfaceMesh mesh = torus(1.0, 0.4, 40, 20);
+  const SurfaceMesh mesh = torus(40, 20, 1.0, 0.4);
   const DistanceGrid grid = gridOf(mesh);
   SignedDistanceOptions options;
   options.method = DistanceMethod::BruteForce;
@@ -108,7 +108,7 @@ TEST(SignedDistanceParts, OfASmoothedFieldAreThoseOfTheWhole)
 TEST(SignedDistanceParts, OfABandAreThoseOfTheWhole)
 {
   // Without other arrays nothing is computed beyond the band, signs included.
-  for (const SurfaceMesh& mesh : { torus(1.0, 0.4, 40, 20), holedTorus() })
+  for (const SurfaceMesh& mesh : { torus(40, 20, 1.0, 0.4), holedTorus() })
   {
     const DistanceGrid grid = gridAround(boundingBox(mesh), { 60, 60, 40 }, 0.4);
     SignedDistanceOptions options;
@@ -128,7 +128,7 @@ TEST(SignedDistanceParts, OfABandAreThoseOfTheWhole)
 
 TEST(SignedDistanceParts, OfMethodsThatNeedTheWholeGridAreCutFromIt)
 {
-  const SurfaceMesh mesh = torus(1.0, 0.4, 40, 20);
+  const SurfaceMesh mesh = torus(40, 20, 1.0, 0.4);
   const DistanceGrid grid = gridOf(mesh);
   SignedDistanceOptions flood;
   flood.sign = SignMethod::FloodFill;
@@ -151,7 +151,7 @@ TEST(SignedDistanceParts, OfMethodsThatNeedTheWholeGridAreCutFromIt)
 
 TEST(SignedDistanceParts, MayHaveExtentsThatBeginAnywhere)
 {
-  const SurfaceMesh mesh = torus(1.0, 0.4, 40, 20);
+  const SurfaceMesh mesh = torus(40, 20, 1.0, 0.4);
   const DistanceGrid grid = gridOf(mesh);
   DistanceGrid shifted = grid;
   shifted.extent = { -5, 22, 7, 31, 100, 122 };

@@ -4,19 +4,21 @@
 #include "Distance/UnsignedDistance.h"
 
 #include "Distance/ClosestTriangles.h"
-#include "DistanceShapes.h"
 #include "Errors.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
+#include "Trees/AABBTree.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 TEST(UnsignedDistance, ToTrianglesIsThatOfTheClosestPoint)
 {
-  const SurfaceMesh mesh = torus(1.0, 0.35, 30, 16);
+  const SurfaceMesh mesh = torus(30, 16, 1.0, 0.35);
   const AABBTree tree(mesh);
   const DistanceGrid grid = gridAround(boundingBox(mesh), { 14, 13, 8 }, 0.1);
   const UnsignedDistance field = distanceToTriangles(mesh, grid, queryClosestTriangles(tree, grid));
@@ -31,7 +33,7 @@ TEST(UnsignedDistance, ToTrianglesIsThatOfTheClosestPoint)
 
 TEST(UnsignedDistance, BySweepingIsExactInTheCellsOfTheSurface)
 {
-  const SurfaceMesh mesh = torus(1.0, 0.35, 30, 16);
+  const SurfaceMesh mesh = torus(30, 16, 1.0, 0.35);
   const AABBTree tree(mesh);
   const DistanceGrid grid = gridAround(boundingBox(mesh), { 24, 24, 12 }, 0.1);
   const UnsignedDistance field = distanceBySweeping(tree, grid, 8);

@@ -9,7 +9,7 @@
 #ifndef EVOLVING_DEGENERATE_STARTS_H
 #define EVOLVING_DEGENERATE_STARTS_H
 
-#include "Evolution/EvolutionShapes.h"
+#include "Shapes/MeshVariants.h"
 #include "StartSurface/PrimitiveSurfaces.h"
 
 #include <string>
@@ -87,9 +87,9 @@ inline std::vector<Start> starts(double width)
   return { { "needle", needle(width) }, { "cap", cap(width) }, { "fan", fan(width) },
     { "tetrahedron", flatTetrahedron(width) }, { "line", stretchedSphere(Vec3(width, width, 1.0)) },
     { "disk", stretchedSphere(Vec3(width, 1.0, 1.0)) },
-    { "needle beside a sphere", shapes::together(icosphere(2), apart) },
+    { "needle beside a sphere", shapes::merged(icosphere(2), apart) },
     { "small sphere beside a sphere",
-      shapes::together(icosphere(2), shapes::transformed(icosphere(1), width, Vec3(3, 0, 0))) } };
+      shapes::merged(icosphere(2), shapes::transformed(icosphere(1), width, Vec3(3, 0, 0))) } };
 }
 
 } // namespace evolving::degenerate

@@ -11,7 +11,7 @@
 
 #include "Distance/DistanceGrid.h"
 #include "Evolution/ScalarImage.h"
-#include "SampledOnGrid.h"
+#include "Shapes/SampledOnGrid.h"
 
 #include <functional>
 #include <memory>
@@ -19,16 +19,6 @@
 
 namespace evolving::shapes
 {
-
-/// n samples along each axis over [-half, half]^3 about a centre.
-inline DistanceGrid cubicGrid(int n, double half, const Vec3& centre = Vec3::Zero())
-{
-  DistanceGrid grid;
-  grid.origin = centre - Vec3::Constant(half);
-  grid.spacing = Vec3::Constant(2.0 * half / (n - 1));
-  grid.extent = { 0, n - 1, 0, n - 1, 0, n - 1 };
-  return grid;
-}
 
 inline std::shared_ptr<const ScalarImage> image(
   const DistanceGrid& grid, const std::function<double(const Vec3&)>& function)

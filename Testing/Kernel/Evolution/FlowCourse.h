@@ -9,14 +9,15 @@
 #ifndef EVOLVING_FLOW_COURSE_H
 #define EVOLVING_FLOW_COURSE_H
 
-#include "Evolution/EvolutionShapes.h"
+#include "Checks/SurfaceMeasures.h"
 #include "Evolution/SurfaceFlow.h"
 #include "Mesh/MeshTopology.h"
 #include "Redistribution/VanishedComponents.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <cmath>
+#include <memory>
 #include <string>
 
 namespace evolving
@@ -32,18 +33,9 @@ struct Course
   int totalSteps = 0;
 };
 
-inline bool areFinite(const std::vector<double>& values)
-{
-  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-}
-
-inline bool areFinite(const std::vector<Vec3>& values)
-{
-  return std::all_of(values.begin(), values.end(), [](const Vec3& v) { return v.allFinite(); });
-}
-
 inline bool areFinite(const StateArrays& a)
 {
+  using checks::areFinite;
   return areFinite(a.distance) && areFinite(a.distanceGradient) && areFinite(a.normal) &&
     areFinite(a.meanCurvature) && areFinite(a.coVolume) && areFinite(a.normalVelocity) &&
     areFinite(a.tangentialVelocity) && areFinite(a.redistributionPotential);
@@ -62,7 +54,7 @@ inline Course follow(const SurfaceMesh& start, const std::shared_ptr<const Scala
   while (!flow.isFinished())
   {
     flow.step();
-    EXPECT_TRUE(areFinite(flow.mesh().points) && areFinite(flow.arrays()));
+    EXPECT_TRUE(checks::areFinite(flow.mesh().points) && areFinite(flow.arrays()));
     vanished.update(flow.mesh());
     for (Index face = 0; face < start.faceCount(); ++face)
     {

@@ -3,16 +3,13 @@
 
 /**
  * @file
- * The flows that the tests run, and what they measure of a result.
+ * The flows that the tests run.
  */
 
 #ifndef EVOLVING_FLOW_RUNS_H
 #define EVOLVING_FLOW_RUNS_H
 
 #include "Evolution/SurfaceFlow.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace evolving::flows
 {
@@ -45,16 +42,6 @@ inline void run(SurfaceFlow& flow)
   {
     flow.step();
   }
-}
-
-inline double largestRadialError(const SurfaceMesh& mesh, double radius)
-{
-  double worst = 0.0;
-  for (const Vec3& p : mesh.points)
-  {
-    worst = std::max(worst, std::abs(p.norm() - radius));
-  }
-  return worst;
 }
 
 } // namespace evolving::flows

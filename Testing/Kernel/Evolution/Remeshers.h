@@ -9,14 +9,16 @@
 #ifndef EVOLVING_REMESHERS_H
 #define EVOLVING_REMESHERS_H
 
+#include "Checks/SurfaceMeasures.h"
 #include "Evolution/Remesher.h"
 #include "Evolution/SurfaceFlow.h"
+#include "Shapes/MeshVariants.h"
 #include "StartSurface/PrimitiveSurfaces.h"
 
 #include <algorithm>
 #include <functional>
-#include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -49,48 +51,12 @@ inline std::shared_ptr<Remesher> byRule(Rule rule)
   return std::make_shared<ByRule>(std::move(rule));
 }
 
-inline double meanRadius(const SurfaceMesh& mesh)
-{
-  double sum = 0.0;
-  for (const Vec3& p : mesh.points)
-  {
-    sum += p.norm();
-  }
-  return sum / mesh.vertexCount();
-}
-
 /// Every triangle in four; new points at the middles of edges, as far from the origin as the ends.
 inline SurfaceMesh inFour(const SurfaceMesh& triangles)
 {
-  SurfaceMesh finer;
-  finer.points = triangles.points;
-  std::map<std::pair<Index, Index>, Index> middles;
-  const auto middle = [&](Index a, Index b)
-  {
-    const auto edge = std::minmax(a, b);
-    const auto [entry, isNew] = middles.emplace(std::pair<Index, Index>(edge), NoIndex);
-    if (isNew)
-    {
-      const Vec3 p = finer.points[static_cast<std::size_t>(a)];
-      const Vec3 q = finer.points[static_cast<std::size_t>(b)];
-      entry->second = finer.addPoint(0.5 * (p.norm() + q.norm()) * (p + q).normalized());
-    }
-    return entry->second;
-  };
-  for (Index face = 0; face < triangles.faceCount(); ++face)
-  {
-    const Index a = triangles.faceVertex(face, 0);
-    const Index b = triangles.faceVertex(face, 1);
-    const Index c = triangles.faceVertex(face, 2);
-    const Index ab = middle(a, b);
-    const Index bc = middle(b, c);
-    const Index ca = middle(c, a);
-    finer.addFace({ a, ab, ca });
-    finer.addFace({ b, bc, ab });
-    finer.addFace({ c, ca, bc });
-    finer.addFace({ ab, bc, ca });
-  }
-  return finer;
+  return shapes::quartered(triangles,
+    [](const Vec3& p, const Vec3& q)
+    { return Vec3(0.5 * (p.norm() + q.norm()) * (p + q).normalized()); });
 }
 
 /// Refines a surface of fewer than so many vertices, once.
@@ -106,7 +72,7 @@ inline std::shared_ptr<Remesher> sphereMaker(int level)
   return byRule(
     [level](const SurfaceMesh& mesh, const std::vector<double>& /*distance*/)
     {
-      SurfaceMesh sphere = icosphere(level, meanRadius(mesh));
+      SurfaceMesh sphere = icosphere(level, checks::meanRadius(mesh));
       return sphere.vertexCount() == mesh.vertexCount() ? std::nullopt
                                                         : std::make_optional(std::move(sphere));
     });

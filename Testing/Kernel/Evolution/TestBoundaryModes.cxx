@@ -3,10 +3,11 @@
 
 #include "Evolution/SurfaceFlow.h"
 
-#include "Evolution/EvolutionShapes.h"
 #include "Evolution/FlowRuns.h"
-#include "Evolution/RoundShapes.h"
+#include "Mesh/Angles.h"
 #include "Mesh/MeshTopology.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -134,7 +135,7 @@ TEST(BoundaryModes, AHalfSphereRelaxesToTheDiscInItsBoundary)
     SurfaceFlow flow(start, nullptr, options);
     flows::run(flow);
     EXPECT_EQ(flow.stopReason(), "");
-    const double polygon = 18.0 * std::sin(shapes::Pi / 18.0); // of 36 corners
+    const double polygon = 18.0 * std::sin(Pi / 18.0); // of 36 corners
     EXPECT_NEAR(flow.record().area, polygon, 1e-9);
     for (const Vec3& p : flow.mesh().points)
     {

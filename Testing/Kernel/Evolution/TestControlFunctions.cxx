@@ -5,9 +5,11 @@
 
 #include "Evolution/EdgeDetector.h"
 #include "Evolution/EvolutionFields.h"
-#include "Evolution/EvolutionShapes.h"
+#include "Shapes/SampledOnGrid.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace evolving;
 

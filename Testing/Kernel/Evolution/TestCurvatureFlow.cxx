@@ -4,10 +4,13 @@
 #include "Evolution/SurfaceFlow.h"
 
 #include "Evolution/EvolutionFields.h"
-#include "Evolution/EvolutionShapes.h"
 #include "Evolution/FlowRuns.h"
-#include "Evolution/RoundShapes.h"
 #include "Redistribution/SurfaceProjector.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/MixedPolygons.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -66,9 +69,9 @@ TEST(CurvatureFlow, AreaFallsInEveryStep)
 {
   const SurfaceMesh bulgingTube =
     shapes::tube(24, 12, 0.6, [](double z) { return 1.0 + 0.3 * std::sin(4.0 * z); });
-  for (const SurfaceMesh& start : { shapes::bumpySphere(3), bumpy(cubeSphere(8)),
-         bumpy(shapes::mixedSphere(3)), shapes::torusGrid(24, 12, 1.0, 0.4, true),
-         shapes::torusGrid(24, 12, 1.0, 0.4, false), bulgingTube })
+  for (const SurfaceMesh& start :
+    { shapes::bumpySphere(3), bumpy(cubeSphere(8)), bumpy(shapes::mixedSphere(3)),
+      shapes::torus(24, 12, 1.0, 0.4), shapes::quadTorus(24, 12, 1.0, 0.4), bulgingTube })
   {
     expectFallingArea(start, flows::meanCurvatureFlow(0.002, 30));
     expectFallingArea(start, flows::meanCurvatureFlow(0.002, 30, 1.0));
@@ -138,7 +141,7 @@ TEST(CurvatureFlow, ComponentsEvolveAsIfAlone)
   const FlowOptions options = flows::meanCurvatureFlow(0.002, 15, 2.0);
   SurfaceFlow alone(first, nullptr, options);
   SurfaceFlow both(
-    shapes::together(first, shapes::transformed(second, 1.0, Vec3(4, 0, 0))), nullptr, options);
+    shapes::merged(first, shapes::transformed(second, 1.0, Vec3(4, 0, 0))), nullptr, options);
   flows::run(alone);
   flows::run(both);
   for (std::size_t i = 0; i < first.points.size(); ++i)

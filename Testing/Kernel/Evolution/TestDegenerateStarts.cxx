@@ -13,6 +13,8 @@
 #include "Remeshing/CurvedReference.h"
 #include "Remeshing/Remeshing.h"
 #include "Remeshing/SizingField.h"
+#include "Shapes/MeshVariants.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -75,7 +77,7 @@ TEST(DegenerateStarts, WithoutAreaAreRefused)
 TEST(DegenerateStarts, AFaceWithoutAreaBesideOthersIsHarmless)
 {
   const SurfaceMesh line = shapes::transformed(degenerate::cap(0.0), 1.0, Vec3(3, 0, 0));
-  followRemeshed({ "line", shapes::together(icosphere(2), line) }, ElementSizing::Uniform, true);
+  followRemeshed({ "line", shapes::merged(icosphere(2), line) }, ElementSizing::Uniform, true);
 }
 
 TEST(DegenerateStarts, SplittingEndsWhereTheVerticesAreTooMany)

@@ -6,6 +6,8 @@
 #include "Errors.h"
 #include "Evolution/DegenerateStarts.h"
 #include "Remeshing/VertexBudget.h"
+#include "Shapes/MeshVariants.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +33,7 @@ SurfaceMesh needlesApart(int count)
   SurfaceMesh all;
   for (int i = 0; i < count; ++i)
   {
-    all = shapes::together(all, degenerate::needle(1e-6, Vec3(i, 0, 0)));
+    all = shapes::merged(all, degenerate::needle(1e-6, Vec3(i, 0, 0)));
   }
   return all;
 }
@@ -41,7 +43,7 @@ SurfaceMesh needlesApart(int count)
 TEST(ElementSizes, AComponentHasSomeHundredVertices)
 {
   const SurfaceMesh two =
-    shapes::together(icosphere(3), shapes::transformed(icosphere(3), 1e-6, Vec3(3.0, 0.0, 0.0)));
+    shapes::merged(icosphere(3), shapes::transformed(icosphere(3), 1e-6, Vec3(3.0, 0.0, 0.0)));
   for (const ElementSizing sizing : Both)
   {
     EXPECT_NEAR(verticesOf(icosphere(3), LongEdges, sizing), 100.0, 1.0);

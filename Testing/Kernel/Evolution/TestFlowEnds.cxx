@@ -3,7 +3,15 @@
 
 // However an evolution ends, it ends well: finite, no face turned over, one sentence if it stopped.
 
+#include "Evolution/EvolutionFields.h"
 #include "Evolution/FlowCourse.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/SampledOnGrid.h"
+#include "Shapes/Spheres.h"
+#include "StartSurface/PrimitiveSurfaces.h"
+
+#include <algorithm>
+#include <cmath>
 
 using namespace evolving;
 
@@ -68,7 +76,7 @@ TEST(FlowEnds, AComponentThatVanishesLeavesTheOthersAlone)
       options.numberOfSteps = 100; // the small ones are gone after 45 steps at the latest
       options.redistribution.volume = 1.0;
       const Course alone = follow(large, nullptr, options);
-      const Course both = follow(shapes::together(large, small), nullptr, options);
+      const Course both = follow(shapes::merged(large, small), nullptr, options);
       EXPECT_EQ(both.stopReason, "");
       EXPECT_EQ(both.record.iteration, 100);
       EXPECT_NEAR(both.record.area, alone.record.area, 1e-6 * alone.record.area);
@@ -87,7 +95,7 @@ TEST(FlowEnds, AComponentThatVanishesLeavesTheOthersAlone)
 TEST(FlowEnds, ARunEndsWhenAllComponentsHaveVanished)
 {
   const SurfaceMesh start =
-    shapes::together(icosphere(2), shapes::transformed(icosphere(1), 0.5, Vec3(3, 0, 0)));
+    shapes::merged(icosphere(2), shapes::transformed(icosphere(1), 0.5, Vec3(3, 0, 0)));
   FlowOptions options = curvatureFlow(start, 1.0, 1000);
   options.timeStep = 0.01;
   const Course course = follow(start, nullptr, options);

@@ -5,9 +5,11 @@
 
 #include "Evolution/StateSeries.h"
 
+#include "Checks/SurfaceMeasures.h"
 #include "Errors.h"
 #include "Evolution/FlowRuns.h"
 #include "Evolution/Remeshers.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +42,7 @@ struct FailingFlow
       [this](const SurfaceMesh& mesh, const std::vector<double>& /*distance*/)
       {
         // r^2 = 1 - 4 t
-        const double radius = remeshers::meanRadius(mesh);
+        const double radius = checks::meanRadius(mesh);
         if (radius * radius < 1.0 - 0.008 * (this->failsAt - 0.5))
         {
           ++this->failures;
@@ -111,7 +113,7 @@ TEST(FlowFailures, TheLastStateHasItsFinalElements)
   const auto remesher = remeshers::byRule(
     [&hasFailed](const SurfaceMesh& mesh, const std::vector<double>& /*distance*/)
     {
-      const double radius = remeshers::meanRadius(mesh);
+      const double radius = checks::meanRadius(mesh);
       if (radius * radius < 1.0 - 0.008 * (BadStep - 0.5))
       {
         hasFailed = true;

@@ -7,14 +7,17 @@
 #include "Evolution/SurfaceFlow.h"
 
 #include "Evolution/EvolutionFields.h"
-#include "Evolution/EvolutionShapes.h"
 #include "Evolution/FlowRuns.h"
-#include "Evolution/RoundShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/SampledOnGrid.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 
 using namespace evolving;
 

@@ -3,8 +3,17 @@
 
 // Any shape with any parameters: seeded, and the same numbers on every platform.
 
+#include "Evolution/EvolutionFields.h"
 #include "Evolution/FlowCourse.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/SampledOnGrid.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
+#include <cmath>
+#include <memory>
 #include <random>
 
 using namespace evolving;
@@ -72,9 +81,9 @@ std::vector<SurfaceMesh> starts()
   triangle.addPoint(Vec3(0, 1, 1));
   triangle.addFace({ 0, 1, 2 });
   return { shapes::bumpySphere(2), cubeSphere(4), shapes::shakenSheet(5, true, 0.4, 1),
-    shapes::shakenSheet(5, false, 0.2, 2), shapes::torusGrid(10, 6, 1.0, 0.4, true),
+    shapes::shakenSheet(5, false, 0.2, 2), shapes::torus(10, 6, 1.0, 0.4),
     shapes::tube(9, 4, 0.7, [](double z) { return 1.0 + 0.3 * z * z; }),
-    shapes::together(icosphere(2), shapes::transformed(icosphere(1), 0.2, Vec3(2, 0, 0))),
+    shapes::merged(icosphere(2), shapes::transformed(icosphere(1), 0.2, Vec3(2, 0, 0))),
     shapes::transformed(icosphere(1), 1.0, Vec3(5, 5, 5)), reversed(icosphere(2)), triangle };
 }
 

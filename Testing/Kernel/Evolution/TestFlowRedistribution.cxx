@@ -5,15 +5,21 @@
 
 #include "Evolution/SurfaceFlow.h"
 
+#include "Checks/SurfaceMeasures.h"
 #include "Evolution/EvolutionFields.h"
-#include "Evolution/EvolutionShapes.h"
 #include "Evolution/FlowRuns.h"
-#include "Evolution/RoundShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/MixedPolygons.h"
+#include "Shapes/SampledOnGrid.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 using namespace evolving;
 
@@ -34,7 +40,7 @@ SurfaceFlow figure62(double volume, double angle)
 
 double areaSpread(const SurfaceFlow& flow)
 {
-  return shapes::relativeSpread(flow.arrays().coVolume);
+  return checks::relativeSpread(flow.arrays().coVolume);
 }
 
 /// About the distance from an ellipsoid about the origin.
@@ -78,7 +84,7 @@ double waistToTip(CurvatureControl control)
 /// A torus whose meridians crowd at one side.
 SurfaceMesh crowdedTorus()
 {
-  SurfaceMesh mesh = shapes::torusGrid(20, 10, 2.0, 0.8, false);
+  SurfaceMesh mesh = shapes::quadTorus(20, 10, 2.0, 0.8);
   for (Vec3& p : mesh.points)
   {
     const double u = std::atan2(p.y(), p.x());
@@ -101,7 +107,7 @@ double edgeSpread(double length)
     const Vec3 edge = flow.mesh().points[(i + 1) % 20 * 10] - flow.mesh().points[i * 10];
     lengths.push_back(edge.norm());
   }
-  return shapes::relativeSpread(lengths);
+  return checks::relativeSpread(lengths);
 }
 
 } // namespace
@@ -164,13 +170,13 @@ TEST(FlowRedistribution, EveryComponentIsEvenByItself)
   const SurfaceMesh big = shapes::unevenSphere(3);
   const SurfaceMesh small = shapes::transformed(shapes::unevenSphere(2), 0.1, Vec3(3.0, 0.0, 0.0));
   FlowOptions options = flows::meanCurvatureFlow(1e-5, 50, 2e4);
-  SurfaceFlow flow(shapes::together(big, small), nullptr, options);
+  SurfaceFlow flow(shapes::merged(big, small), nullptr, options);
   flows::run(flow);
   EXPECT_EQ(flow.stopReason(), "");
   const std::vector<double>& mu = flow.arrays().coVolume;
   const auto middle = mu.begin() + big.vertexCount();
-  EXPECT_LT(shapes::relativeSpread({ mu.begin(), middle }), 0.05);
-  EXPECT_LT(shapes::relativeSpread({ middle, mu.end() }), 0.05);
+  EXPECT_LT(checks::relativeSpread({ mu.begin(), middle }), 0.05);
+  EXPECT_LT(checks::relativeSpread({ middle, mu.end() }), 0.05);
 }
 
 TEST(FlowRedistribution, AngleWeightsActDuringAFlow)

@@ -5,17 +5,22 @@
 
 #include "Evolution/SurfaceFlow.h"
 
+#include "Checks/SurfaceMeasures.h"
 #include "Evolution/EvolutionFields.h"
-#include "Evolution/EvolutionShapes.h"
 #include "Evolution/FlowRuns.h"
 #include "Evolution/Remeshers.h"
-#include "Evolution/RoundShapes.h"
 #include "Evolution/StateMeasures.h"
 #include "Mesh/MeshQuality.h"
+#include "Mesh/MeshTopology.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Spheres.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 using namespace evolving;
 
@@ -119,7 +124,7 @@ TEST(FlowRemeshing, TheStateThatConvergesIsCleanToo)
   EXPECT_TRUE(flow.hasConverged());
   EXPECT_LT(flow.record().iteration, 500);
   EXPECT_EQ(flow.mesh().vertexCount(), 642);
-  EXPECT_LT(flows::largestRadialError(flow.mesh(), 0.5), 0.01);
+  EXPECT_LT(checks::largestRadialError(flow.mesh(), 0.5), 0.01);
 }
 
 TEST(FlowRemeshing, VerticesSlideOnAlongTheNewBoundary)
@@ -166,7 +171,7 @@ TEST(FlowRemeshing, AComponentThatVanishesLeavesTheOthersAlone)
   {
     const SurfaceMesh small = shapes::transformed(icosphere(3), radius, Vec3(3, 0, 0));
     SurfaceFlow both =
-      remeshers::flowOf(shapes::together(large, small), nullptr, remeshers::renumberer(), options);
+      remeshers::flowOf(shapes::merged(large, small), nullptr, remeshers::renumberer(), options);
     flows::run(both);
     EXPECT_EQ(both.stopReason(), "") << radius;
     EXPECT_NEAR(both.record().area, alone.record().area, 1e-6 * alone.record().area) << radius;

@@ -3,7 +3,16 @@
 
 // Targets that are no ordinary ones: the start itself, a point, nothing, far away.
 
+#include "Evolution/EvolutionFields.h"
 #include "Evolution/FlowCourse.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/SampledOnGrid.h"
+#include "Shapes/Spheres.h"
+#include "StartSurface/PrimitiveSurfaces.h"
+
+#include <algorithm>
+#include <functional>
+#include <memory>
 
 using namespace evolving;
 
@@ -61,7 +70,8 @@ INSTANTIATE_TEST_SUITE_P(Targets, FlowOntoTarget,
 TEST(FlowTargets, SizeAndPlaceDoNotMatter)
 {
   const DistanceGrid unit = shapes::cubicGrid(17, 1.6);
-  const std::vector<float> values = sampled(unit, [](const Vec3& p) { return p.norm() - 0.5; });
+  const std::vector<float> values =
+    shapes::sampled(unit, [](const Vec3& p) { return p.norm() - 0.5; });
   for (const double scale : { 1e-20, 1e-6, 1.0, 1e6, 1e20 })
   {
     for (const double offset : { 0.0, 1e6 }) // in units of the start's radius

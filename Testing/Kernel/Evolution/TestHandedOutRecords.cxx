@@ -4,11 +4,11 @@
 // The numbers of a state whose points are handed out elsewhere, as floats.
 
 #include "Evolution/EvolutionFields.h"
-#include "Evolution/EvolutionShapes.h"
 #include "Evolution/FlowRuns.h"
 #include "Evolution/StateSeries.h"
 #include "Evolution/SurfaceFlow.h"
 #include "Mesh/MeshQuality.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
 

@@ -9,9 +9,10 @@
 #include "Errors.h"
 #include "Evolution/EdgeDetector.h"
 #include "Evolution/EvolutionFields.h"
-#include "Evolution/EvolutionShapes.h"
 #include "Evolution/FlowRuns.h"
 #include "Evolution/SurfaceFlow.h"
+#include "Shapes/SampledOnGrid.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -46,7 +47,7 @@ ScalarImage straight()
   grid.extent = { 2, 12, -3, 13, 0, 5 };
   const Vec3 middle = 0.5 * (grid.point(2, -3, 0) + grid.point(12, 13, 5));
   return ScalarImage(grid,
-    sampled(
+    shapes::sampled(
       grid, [&](const Vec3& p) { return (p - middle).cwiseQuotient(Vec3(3, 2, 2)).norm() - 0.2; }));
 }
 

@@ -5,11 +5,13 @@
 
 #include "Evolution/SurfaceFlow.h"
 
-#include "Evolution/EvolutionShapes.h"
 #include "Evolution/FlowRuns.h"
-#include "Evolution/RoundShapes.h"
+#include "Mesh/Angles.h"
 #include "Mesh/MeshQuality.h"
 #include "Mesh/MeshTopology.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Tubes.h"
 
 #include <gtest/gtest.h>
 
@@ -47,7 +49,7 @@ struct TiltedDisc
   Eigen::Matrix3d rotation = shapes::someRotation();
   Vec3 centre = Vec3(2.0, -1.0, 0.5);
   SurfaceMesh mesh = shapes::transformed(
-    shapes::rotated(shapes::shakenInside(shapes::disc(8), 0.03, 4), rotation), 1.0, centre);
+    shapes::mapped(shapes::shakenInside(shapes::disc(8), 0.03, 4), rotation), 1.0, centre);
 
   double height(const Vec3& point) const { return this->rotation.col(2).dot(point - this->centre); }
 };
@@ -99,7 +101,7 @@ TEST(MinimalSurfaces, ABumpOnASquareFlattens)
   SurfaceMesh start = shapes::sheet(10, false);
   for (Vec3& p : start.points)
   {
-    p.z() = 0.2 * std::sin(shapes::Pi * p.x()) * std::sin(shapes::Pi * p.y());
+    p.z() = 0.2 * std::sin(Pi * p.x()) * std::sin(Pi * p.y());
   }
   SurfaceFlow flow(start, nullptr, flows::meanCurvatureFlow(0.05, 40));
   flows::run(flow);

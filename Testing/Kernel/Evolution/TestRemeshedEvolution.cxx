@@ -3,19 +3,24 @@
 
 // Flows with SurfaceRemesher beside the same flows without.
 
+#include "Checks/SurfaceMeasures.h"
 #include "Evolution/EvolutionFields.h"
-#include "Evolution/EvolutionShapes.h"
 #include "Evolution/FlowRuns.h"
 #include "Evolution/Remeshers.h"
-#include "Evolution/RoundShapes.h"
 #include "Evolution/SurfaceRemesher.h"
 #include "Mesh/MeshQuality.h"
 #include "Mesh/SelfIntersections.h"
 #include "Remeshing/EditingChecks.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/SampledOnGrid.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 using namespace evolving;
 
@@ -76,8 +81,8 @@ TEST(RemeshedEvolution, ASphereShrinksAtLeastAsWell)
     {
       const SurfaceMesh with = finished(start, remesherOf(start, sizing), options).mesh();
       EXPECT_LT(
-        flows::largestRadialError(with, radius), flows::largestRadialError(without, radius));
-      EXPECT_LT(std::abs(remeshers::meanRadius(with) - radius), 0.012 * radius);
+        checks::largestRadialError(with, radius), checks::largestRadialError(without, radius));
+      EXPECT_LT(std::abs(checks::meanRadius(with) - radius), 0.012 * radius);
       EXPECT_GT(smallestAngle(with), smallestAngle(without) + 10.0);
       EXPECT_NEAR(meanEdgeLength(with), meanEdgeLength(start), 0.1 * meanEdgeLength(start));
     }
@@ -101,20 +106,20 @@ TEST(RemeshedEvolution, ASphereVanishesAtItsTime)
 TEST(RemeshedEvolution, TheLargerOfTwoSpheresGoesOnAlone)
 {
   const SurfaceMesh start =
-    shapes::together(icosphere(3), shapes::transformed(icosphere(2), 0.3, Vec3(3.0, 0.0, 0.0)));
+    shapes::merged(icosphere(3), shapes::transformed(icosphere(2), 0.3, Vec3(3.0, 0.0, 0.0)));
   for (const ElementSizing sizing : Both)
   {
     const SurfaceFlow flow =
       finished(start, remesherOf(start, sizing), flows::meanCurvatureFlow(0.002, 60));
     EXPECT_EQ(flow.stopReason(), "");
     EXPECT_EQ(editing::kindOf(flow.mesh()), (editing::Kind{ 2, 0, 1 }));
-    EXPECT_LT(flows::largestRadialError(flow.mesh(), std::sqrt(1.0 - 4.0 * 0.12)), 0.006);
+    EXPECT_LT(checks::largestRadialError(flow.mesh(), std::sqrt(1.0 - 4.0 * 0.12)), 0.006);
   }
 }
 
 TEST(RemeshedEvolution, ATorusKeepsItsHole)
 {
-  const SurfaceMesh start = shapes::torusGrid(60, 12, 1.0, 0.4, true);
+  const SurfaceMesh start = shapes::torus(60, 12, 1.0, 0.4);
   const FlowOptions options = flows::meanCurvatureFlow(0.002, 20);
   const SurfaceFlow without = finished(start, nullptr, options);
   for (const ElementSizing sizing : Both)

@@ -7,11 +7,13 @@
 
 #include "Evolution/FlowRuns.h"
 #include "Evolution/Remeshers.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
+#include <memory>
 
 using namespace evolving;
 

@@ -5,10 +5,12 @@
 
 #include "Evolution/SurfaceFlow.h"
 
-#include "Evolution/EvolutionShapes.h"
+#include "Evolution/EvolutionFields.h"
 #include "Evolution/FlowRuns.h"
 #include "Evolution/Remeshers.h"
-#include "Evolution/RoundShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Spheres.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 #include "ThreadedExecution.h"
 
 #include <gtest/gtest.h>

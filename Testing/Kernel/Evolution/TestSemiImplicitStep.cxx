@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Evolution/SemiImplicitStep.h"
-
-#include "Evolution/EvolutionShapes.h"
+#include "Mesh/MeshTopology.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace evolving;
 

@@ -4,11 +4,12 @@
 // An open cylinder under mean curvature flow whose rims are moved as the exact solution says.
 
 #include "Evolution/SemiImplicitStep.h"
-
-#include "Evolution/EvolutionShapes.h"
+#include "Mesh/MeshTopology.h"
+#include "Shapes/Tubes.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace evolving;

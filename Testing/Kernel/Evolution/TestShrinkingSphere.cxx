@@ -3,9 +3,10 @@
 
 #include "Evolution/SurfaceFlow.h"
 
-#include "Evolution/EvolutionShapes.h"
 #include "Evolution/FlowRuns.h"
-#include "Evolution/RoundShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/MixedPolygons.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -99,7 +100,7 @@ TEST(ShrinkingSphere, EveryComponentShrinksByItsOwnRadius)
   const SurfaceMesh first = icosphere(3);
   const SurfaceMesh second = shapes::transformed(cubeSphere(12), 0.6, Vec3(3.0, 0.0, 0.0));
   SurfaceFlow flow(
-    shapes::together(first, second), nullptr, flows::meanCurvatureFlow(0.0005, 120, 1.0));
+    shapes::merged(first, second), nullptr, flows::meanCurvatureFlow(0.0005, 120, 1.0));
   flows::run(flow);
   EXPECT_EQ(flow.stopReason(), "");
   for (std::size_t i = 0; i < flow.mesh().points.size(); ++i)

@@ -4,8 +4,9 @@
 #include "Evolution/StallTest.h"
 
 #include "Evolution/EvolutionFields.h"
-#include "Evolution/EvolutionShapes.h"
 #include "Evolution/FlowRuns.h"
+#include "Shapes/SampledOnGrid.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "Evolution/StateSeries.h"
 
 #include "Errors.h"
-#include "Evolution/EvolutionShapes.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,10 @@
 
 #include "Evolution/StateSeries.h"
 
-#include "Evolution/EvolutionShapes.h"
+#include "Evolution/EvolutionFields.h"
 #include "Evolution/Remeshers.h"
 #include "MemoryCount.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
 

@@ -5,13 +5,18 @@
 
 #include "Evolution/StateSeries.h"
 
+#include "Checks/SurfaceMeasures.h"
 #include "Evolution/EvolutionFields.h"
 #include "Evolution/FlowRuns.h"
 #include "Evolution/Remeshers.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
 
 using namespace evolving;
 
@@ -31,7 +36,7 @@ StateSeries refinedAndCoarsened(std::size_t memoryLimit, int* made)
     [](const SurfaceMesh& mesh,
       const std::vector<double>& /*distance*/) -> std::optional<SurfaceMesh>
     {
-      const double radius = remeshers::meanRadius(mesh);
+      const double radius = checks::meanRadius(mesh);
       if (radius < 0.96) // at step 12, not at step 6
       {
         return mesh.vertexCount() == 642 ? std::make_optional(icosphere(2, radius)) : std::nullopt;
@@ -61,7 +66,7 @@ void expectState(StateSeries& series, int step)
   EXPECT_EQ(state->arrays.normal.size(), mesh.points.size()) << step;
   EXPECT_EQ(state->arrays.tangentialVelocity.size(), mesh.points.size()) << step;
   EXPECT_NEAR(state->record.area, surfaceArea(mesh), 1e-12) << step;
-  EXPECT_NEAR(remeshers::meanRadius(mesh), std::sqrt(1.0 - 4.0 * state->record.time), 0.003);
+  EXPECT_NEAR(checks::meanRadius(mesh), std::sqrt(1.0 - 4.0 * state->record.time), 0.003);
 }
 
 /// Bytes of a state with 642 vertices and its origin, without a field.

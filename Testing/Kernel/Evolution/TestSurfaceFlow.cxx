@@ -5,8 +5,8 @@
 
 #include "Errors.h"
 #include "Evolution/EvolutionFields.h"
-#include "Evolution/EvolutionShapes.h"
 #include "Evolution/FlowRuns.h"
+#include "Shapes/Spheres.h"
 #include "ThreadedExecution.h"
 
 #include <gtest/gtest.h>

@@ -4,12 +4,17 @@
 #include "Evolution/SurfaceGuard.h"
 
 #include "Errors.h"
-#include "Evolution/EvolutionShapes.h"
 #include "Evolution/StateMeasures.h"
+#include "Mesh/Angles.h"
 #include "Mesh/MeshQuality.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 using namespace evolving;
@@ -80,13 +85,13 @@ TEST(StateMeasures, MeasuresASphereBesideItsTarget)
 {
   const SurfaceMesh mesh = icosphere(4, 2.0);
   StateArrays arrays;
-  arrays.coVolume.assign(mesh.points.size(), 16.0 * shapes::Pi / 2562.0);
+  arrays.coVolume.assign(mesh.points.size(), 16.0 * Pi / 2562.0);
   arrays.distance.assign(mesh.points.size(), -0.5);
   arrays.distance[9] = 3.0;
   FlowRecord record;
   measureState(mesh, Vec3::Zero(), arrays, record, Execution());
-  EXPECT_NEAR(record.area, 16.0 * shapes::Pi, 1e-9);
-  EXPECT_NEAR(record.volume, 32.0 / 3.0 * shapes::Pi, 0.1);
+  EXPECT_NEAR(record.area, 16.0 * Pi, 1e-9);
+  EXPECT_NEAR(record.volume, 32.0 / 3.0 * Pi, 0.1);
   EXPECT_NEAR(record.meanDistance, 0.5 + 2.5 / 2562.0, 1e-12);
   EXPECT_EQ(record.maxDistance, 3.0);
 }

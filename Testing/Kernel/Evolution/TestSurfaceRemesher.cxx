@@ -7,11 +7,16 @@
 
 #include "ChangedMembers.h"
 #include "Errors.h"
-#include "Evolution/EvolutionShapes.h"
-#include "Evolution/RoundShapes.h"
 #include "Mesh/MeshQuality.h"
+#include "Mesh/MeshTopology.h"
 #include "Mesh/SelfIntersections.h"
 #include "Remeshing/EditingChecks.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 #include "ThreadedExecution.h"
 
 #include <gtest/gtest.h>
@@ -63,17 +68,6 @@ double meanLengthWhere(const SurfaceMesh& mesh, const Condition& holds)
   return sum / count;
 }
 
-SurfaceMesh tetrahedron()
-{
-  SurfaceMesh mesh;
-  mesh.points = { Vec3(1, 1, 1), Vec3(-1, -1, 1), Vec3(-1, 1, -1), Vec3(1, -1, -1) };
-  mesh.addFace({ 0, 2, 1 });
-  mesh.addFace({ 0, 1, 3 });
-  mesh.addFace({ 0, 3, 2 });
-  mesh.addFace({ 1, 2, 3 });
-  return mesh;
-}
-
 } // namespace
 
 TEST(SurfaceRemesher, ReachesTheEdgeLength)
@@ -82,8 +76,7 @@ TEST(SurfaceRemesher, ReachesTheEdgeLength)
   {
     const SurfaceMesh sphere = remeshed(icosphere(3), withEdges(Uniform, length));
     EXPECT_NEAR(meanEdgeLength(sphere), length, 0.1 * length);
-    const SurfaceMesh torus =
-      remeshed(shapes::torusGrid(60, 24, 2.0, 0.7, true), withEdges(Uniform, length));
+    const SurfaceMesh torus = remeshed(shapes::torus(60, 24, 2.0, 0.7), withEdges(Uniform, length));
     EXPECT_NEAR(meanEdgeLength(torus), length, 0.1 * length);
     EXPECT_EQ(editing::kindOf(torus), (editing::Kind{ 0, 0, 1 }));
   }
@@ -153,20 +146,21 @@ TEST(SurfaceRemesher, ABoundaryKeepsItsVerticesAndShape)
 TEST(SurfaceRemesher, ASmallComponentKeepsVertices)
 {
   const SurfaceMesh start =
-    shapes::together(icosphere(3), shapes::transformed(icosphere(3), 0.1, Vec3(3.0, 0.0, 0.0)));
+    shapes::merged(icosphere(3), shapes::transformed(icosphere(3), 0.1, Vec3(3.0, 0.0, 0.0)));
   const SurfaceMesh mesh = remeshed(start, withEdges(Uniform, 0.2));
   EXPECT_EQ(editing::kindOf(mesh), (editing::Kind{ 4, 0, 2 }));
   const auto small = std::count_if(
     mesh.points.begin(), mesh.points.end(), [](const Vec3& p) { return p.x() > 2.0; });
   EXPECT_NEAR(static_cast<double>(small), 100.0, 30.0);
-  EXPECT_EQ(editing::kindOf(remeshed(tetrahedron(), Uniform)), (editing::Kind{ 2, 0, 1 }));
-  EXPECT_GT(smallestAngle(remeshed(tetrahedron(), Uniform)), 20.0);
+  EXPECT_EQ(
+    editing::kindOf(remeshed(shapes::regularTetrahedron(), Uniform)), (editing::Kind{ 2, 0, 1 }));
+  EXPECT_GT(smallestAngle(remeshed(shapes::regularTetrahedron(), Uniform)), 20.0);
 }
 
 TEST(SurfaceRemesher, WhatHasShrunkToAPointIsLeftOut)
 {
   const SurfaceMesh start =
-    shapes::together(icosphere(3), shapes::transformed(icosphere(2), 0.5, Vec3(3.0, 0.0, 0.0)));
+    shapes::merged(icosphere(3), shapes::transformed(icosphere(2), 0.5, Vec3(3.0, 0.0, 0.0)));
   SurfaceMesh shrunk = start;
   for (Vec3& p : shrunk.points)
   {
@@ -182,9 +176,9 @@ TEST(SurfaceRemesher, MakesNoSelfIntersections)
 {
   // Elements so coarse would cut through the sphere inside.
   const SurfaceMesh nested =
-    shapes::together(icosphere(4), reversed(shapes::transformed(icosphere(4), 0.97, Vec3::Zero())));
+    shapes::merged(icosphere(4), reversed(shapes::transformed(icosphere(4), 0.97, Vec3::Zero())));
   const SurfaceMesh crossing =
-    shapes::together(icosphere(3), shapes::transformed(icosphere(3), 1.0, Vec3(1.0, 0.1, 0.2)));
+    shapes::merged(icosphere(3), shapes::transformed(icosphere(3), 1.0, Vec3(1.0, 0.1, 0.2)));
   for (const auto& options : { withEdges(Uniform, 0.4), withEdges(Adaptive, 0.4) })
   {
     const SurfaceMesh mesh = remeshed(nested, options);
@@ -216,7 +210,7 @@ TEST(SurfaceRemesher, HasTheSameBitsOnAnyNumberOfThreads)
 TEST(SurfaceRemesher, ScaleAndRotationDoNotMatter)
 {
   const SurfaceMesh start = shapes::unevenSphere(3);
-  const SurfaceMesh turned = shapes::rotated(start, shapes::someRotation());
+  const SurfaceMesh turned = shapes::mapped(start, shapes::someRotation());
   for (const auto& options : { Uniform, Adaptive })
   {
     const AngleSummary angles = summarizeAngles(remeshed(start, options));

@@ -9,17 +9,18 @@
 #ifndef EVOLVING_CAPTURE_SHAPES_H
 #define EVOLVING_CAPTURE_SHAPES_H
 
-#include "Distance/DistanceShapes.h"
 #include "FeatureCapture/FeatureCapture.h"
-#include "Features/FeatureShapes.h"
 #include "Features/TargetFeatures.h"
+#include "Mesh/Angles.h"
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/ReferenceSurface.h"
 #include "Remeshing/Relaxation.h"
 #include "Remeshing/Remeshing.h"
 #include "Remeshing/SizingField.h"
+#include "Shapes/CreasedShapes.h"
+#include "Shapes/Polyhedra.h"
 
-#include <array>
+#include <cmath>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -47,84 +48,22 @@ inline void PrintTo(const Shape& shape, std::ostream* stream)
   *stream << shape.name;
 }
 
-inline SurfaceMesh wedge()
-{
-  return test::extruded({ Vec3(0, 0, 0), Vec3(1.5, 0, 0), Vec3(0.75, 1.1, 0) }, 1.2);
-}
-
-inline SurfaceMesh ell()
-{
-  return test::extruded(
-    { Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(2, 1, 0), Vec3(1, 1, 0), Vec3(1, 2, 0), Vec3(0, 2, 0) },
-    1.0);
-}
-
-inline SurfaceMesh cylinder()
-{
-  return test::extruded(test::regularPolygon(48), 1.5);
-}
-
-/// Radius and height 1: no crease leads to the apex.
-inline SurfaceMesh cone()
-{
-  constexpr Index Sides = 48;
-  SurfaceMesh mesh;
-  mesh.points = test::regularPolygon(Sides);
-  const Index foot = mesh.addPoint(Vec3::Zero());
-  const Index apex = mesh.addPoint(Vec3::UnitZ());
-  for (Index i = 0; i < Sides; ++i)
-  {
-    const Index j = (i + 1) % Sides;
-    mesh.addFace({ j, i, foot });
-    mesh.addFace({ i, j, apex });
-  }
-  return mesh;
-}
-
-/**
- * A box whose top falls off to both sides of a ridge that ends in its middle: from there a fold of
- * 77 degrees runs to the middle of one side, all others on the top are below 30.
- */
-inline SurfaceMesh boxWithDart()
-{
-  SurfaceMesh mesh;
-  mesh.points = { Vec3(-1, -1, -1.8), Vec3(1, -1, -1.8), Vec3(1, 1, -1.8), Vec3(-1, 1, -1.8),
-    Vec3(-1, -1, -0.8), Vec3(1, -1, 0), Vec3(1, 1, 0), Vec3(-1, 1, -0.8), Vec3(-1, 0, 0),
-    Vec3(0, 0, 0) };
-  const std::vector<std::array<Index, 3>> faces = { { 0, 2, 1 }, { 0, 3, 2 }, { 0, 1, 5 },
-    { 0, 5, 4 }, { 1, 2, 6 }, { 1, 6, 5 }, { 2, 3, 7 }, { 2, 7, 6 }, { 0, 4, 8 }, { 0, 8, 3 },
-    { 3, 8, 7 }, { 9, 8, 4 }, { 9, 4, 5 }, { 9, 5, 6 }, { 9, 6, 7 }, { 9, 7, 8 } };
-  for (const auto& [a, b, c] : faces)
-  {
-    mesh.addFace({ a, b, c });
-  }
-  return mesh;
-}
-
-/// A cube with an edge cut off that leaves less room than an element needs.
-inline SurfaceMesh chamferedCube(double width)
-{
-  return test::extruded(
-    { Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1 - width, 0), Vec3(1 - width, 1, 0), Vec3(0, 1, 0) },
-    1.0);
-}
-
 /// Of a regular polygon around the unit circle.
 inline double rimLength(int sides)
 {
-  return 2.0 * sides * std::sin(std::acos(-1.0) / sides);
+  return 2.0 * sides * std::sin(Pi / sides);
 }
 
-inline std::vector<Shape> shapes()
+inline std::vector<Shape> creasedShapes()
 {
   const double slope = std::sqrt(0.75 * 0.75 + 1.1 * 1.1);
   return {
-    { "Box", test::box(Vec3(0, 0, 0), Vec3(1, 2, 3)), 45.0, 0.2, 12, 8, 24.0 },
-    { "Wedge", wedge(), 45.0, 0.12, 9, 6, 2.0 * (1.5 + 2.0 * slope) + 3.6 },
-    { "Cylinder", cylinder(), 45.0, 0.15, 2, 0, 2.0 * rimLength(48) },
-    { "Ell", ell(), 45.0, 0.15, 18, 12, 22.0 },
-    { "Cone", cone(), 45.0, 0.15, 1, 0, rimLength(48) },
-    { "Dart", boxWithDart(), 45.0, 0.15, 14, 10,
+    { "Box", shapes::box(Vec3(0, 0, 0), Vec3(1, 2, 3)), 45.0, 0.2, 12, 8, 24.0 },
+    { "Wedge", shapes::wedge(), 45.0, 0.12, 9, 6, 2.0 * (1.5 + 2.0 * slope) + 3.6 },
+    { "Cylinder", shapes::cylinder(), 45.0, 0.15, 2, 0, 2.0 * rimLength(48) },
+    { "Ell", shapes::ell(), 45.0, 0.15, 18, 12, 22.0 },
+    { "Cone", shapes::cone(), 45.0, 0.15, 1, 0, rimLength(48) },
+    { "Dart", shapes::boxWithDart(), 45.0, 0.15, 14, 10,
       16.6 + 2.0 * std::sqrt(4.64) + 2.0 * std::sqrt(1.64), 1 },
   };
 }
@@ -159,19 +98,6 @@ inline EditableSurface captured(const Shape& shape, const TargetFeatures& featur
   EditableSurface surface = landed(shape.target, shape.size);
   captureFeatures(surface, features);
   return surface;
-}
-
-inline std::vector<Index> facesOf(const EditableSurface& surface)
-{
-  std::vector<Index> faces;
-  for (Index f = 0; f < surface.faceSlots(); ++f)
-  {
-    if (surface.hasFace(f))
-    {
-      faces.push_back(f);
-    }
-  }
-  return faces;
 }
 
 } // namespace evolving::capture

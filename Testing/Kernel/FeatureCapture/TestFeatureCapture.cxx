@@ -9,12 +9,13 @@
 #include "FeatureCapture/CaptureShapes.h"
 #include "FeatureCapture/FeatureCoverage.h"
 #include "FeatureCapture/FeatureReference.h"
-#include "Mesh/MeshVariants.h"
 #include "Mesh/SelfIntersections.h"
 #include "Remeshing/EditingChecks.h"
+#include "Shapes/MeshVariants.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -22,6 +23,8 @@ namespace
 {
 
 using namespace evolving;
+
+using namespace evolving::shapes;
 using namespace evolving::capture;
 
 class FeatureCapture : public testing::TestWithParam<Shape>
@@ -95,7 +98,7 @@ TEST_P(FeatureCapture, PinsAVertexAtEveryCorner)
 TEST_P(FeatureCapture, KnowsThePatchOfEveryFace)
 {
   std::vector<Index> faces(static_cast<std::size_t>(this->Features.patchCount()), 0);
-  for (const Index f : facesOf(this->Surface))
+  for (const Index f : editing::facesOf(this->Surface))
   {
     const Index patch = this->Surface.label(f);
     ASSERT_NE(patch, FeatureReference::NoPatch);
@@ -174,7 +177,7 @@ TEST_P(FeatureCapture, LeavesLockedPartsAlone)
       ASSERT_EQ(surface.point(v), this->Before.point(v));
     }
   }
-  for (const Index f : facesOf(this->Before))
+  for (const Index f : editing::facesOf(this->Before))
   {
     const bool isLocked = surface.isLockedFace(f);
     for (Index k = 0; isLocked && k < 3; ++k)
@@ -199,7 +202,7 @@ TEST_P(FeatureCapture, DoesNotDependOnPlaceAndUnit)
     Shape other = GetParam();
     other.size *= scale;
     const Vec3 offset = 100.0 * scale * Vec3(3.0, -2.0, 1.0);
-    other.target = moved(mapped(other.target, rotation), scale, offset);
+    other.target = transformed(mapped(other.target, rotation), scale, offset);
     const TargetFeatures features = featuresOf(other);
     const EditableSurface surface = captured(other, features);
     const FeatureCoverage coverage =
@@ -211,7 +214,7 @@ TEST_P(FeatureCapture, DoesNotDependOnPlaceAndUnit)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, FeatureCapture, testing::ValuesIn(shapes()),
+INSTANTIATE_TEST_SUITE_P(Of, FeatureCapture, testing::ValuesIn(creasedShapes()),
   [](const testing::TestParamInfo<Shape>& shape) { return shape.param.name; });
 
 } // namespace

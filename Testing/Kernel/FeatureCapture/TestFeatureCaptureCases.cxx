@@ -8,6 +8,8 @@
 #include "FeatureCapture/CaptureShapes.h"
 #include "FeatureCapture/FeatureCoverage.h"
 #include "Mesh/SelfIntersections.h"
+#include "Shapes/CreasedShapes.h"
+#include "Shapes/Spheres.h"
 #include "ThreadedExecution.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +24,7 @@ TEST(FeatureCaptureOf, AChamferTooNarrowForElementsIsOneCrease)
 {
   // Of its two long edges one is left out, and with it the strip. Edges of the
   // result may cut across the corner that is left of it.
-  const Shape shape{ "Chamfer", chamferedCube(0.03), 30.0, 0.12 };
+  const Shape shape{ "Chamfer", shapes::chamferedCube(0.03), 30.0, 0.12 };
   const TargetFeatures features = featuresOf(shape);
   EXPECT_GT(features.lengthLeftOut(), 0.99);
   const EditableSurface surface = captured(shape, features);
@@ -34,7 +36,7 @@ TEST(FeatureCaptureOf, AChamferTooNarrowForElementsIsOneCrease)
 
 TEST(FeatureCaptureOf, ASmoothSurfaceChangesNothing)
 {
-  const SurfaceMesh target = test::sphere(4);
+  const SurfaceMesh target = shapes::sphere(4);
   const TargetFeatures features = findFeatures(target, {});
   EditableSurface surface = landed(target, 0.2);
   const SurfaceMesh before = surface.mesh();
@@ -47,7 +49,7 @@ TEST(FeatureCaptureOf, ASmoothSurfaceChangesNothing)
 TEST(FeatureCaptureOf, ACornerWithoutACreaseNeedsNoPin)
 {
   // The ridge of a cone is its rim; its apex is none of FeatureCurves' corners.
-  const Shape shape = shapes()[4];
+  const Shape shape = creasedShapes()[4];
   const TargetFeatures features = featuresOf(shape);
   EXPECT_EQ(features.patchCount(), 2);
   EXPECT_EQ(countPins(captured(shape, features)), 0);
@@ -56,7 +58,7 @@ TEST(FeatureCaptureOf, ACornerWithoutACreaseNeedsNoPin)
 TEST(FeatureCaptureOf, AnythingHasTheSameBitsOnAnyThreads)
 {
   // More vertices than one thread takes at once.
-  Shape shape = shapes()[5];
+  Shape shape = creasedShapes()[5];
   shape.size = 0.06;
   const TargetFeatures features = featuresOf(shape);
   const EditableSurface before = landed(shape.target, shape.size);
@@ -78,7 +80,7 @@ TEST(FeatureCaptureOf, AnythingHasTheSameBitsOnAnyThreads)
 
 TEST(FeatureCaptureOf, AnythingCanBeCancelled)
 {
-  const Shape shape = shapes()[0];
+  const Shape shape = creasedShapes()[0];
   const TargetFeatures features = featuresOf(shape);
   EditableSurface surface = landed(shape.target, shape.size);
   const Execution cancelled(nullptr, nullptr, [] { return true; });

@@ -6,6 +6,8 @@
 #include "FeatureCapture/CaptureShapes.h"
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +26,7 @@ EditableSurface markedBox()
   return surface;
 }
 
-const SurfaceMesh Target = test::box(Vec3(-1, -1, -1), Vec3(1, 1, 1));
+const SurfaceMesh Target = shapes::box(Vec3(-1, -1, -1), Vec3(1, 1, 1));
 
 TEST(FeatureCoverage, IsCompleteWhereAllEdgesAreMarked)
 {
@@ -69,7 +71,7 @@ TEST(FeatureCoverage, MissesTheLengthOfEachEdgeWithoutAMark)
 
 TEST(FeatureCoverage, ToleranceIsADistance)
 {
-  const TargetFeatures features = findFeatures(test::box(Vec3(-1, -1, -1), Vec3(1, 1, 1.1)), {});
+  const TargetFeatures features = findFeatures(shapes::box(Vec3(-1, -1, -1), Vec3(1, 1, 1.1)), {});
   const EditableSurface surface = markedBox();
   // The top's four edges lie 0.1 above, and 0.1 of the four upright ones goes on above.
   EXPECT_EQ(featureCoverage(surface, features, 0.01, 0.11).missing, 0.0);
@@ -78,7 +80,7 @@ TEST(FeatureCoverage, ToleranceIsADistance)
 
 TEST(FeatureCoverage, OfASmoothTargetIsNothing)
 {
-  const TargetFeatures features = findFeatures(test::sphere(3), {});
+  const TargetFeatures features = findFeatures(shapes::sphere(3), {});
   const FeatureCoverage coverage = featureCoverage(markedBox(), features, 0.05, 1e-9);
   EXPECT_EQ(coverage.length, 0.0);
   EXPECT_EQ(coverage.missing, 0.0);

@@ -5,10 +5,12 @@
 
 #include "FeatureCapture/CaptureMeasures.h"
 #include "FeatureCapture/CaptureShapes.h"
-#include "Mesh/MeshVariants.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -16,6 +18,8 @@ namespace
 {
 
 using namespace evolving;
+
+using namespace evolving::shapes;
 using capture::squaredDistanceToCurve;
 using capture::squaredDistanceToPatch;
 
@@ -35,7 +39,7 @@ constexpr double Far = 100.0;
 TEST(FeatureReference, FeetLieOnTheirPatchAsAllTrianglesSay)
 {
   std::mt19937 generator(8);
-  for (const capture::Shape& shape : capture::shapes())
+  for (const capture::Shape& shape : capture::creasedShapes())
   {
     const TargetFeatures features = featuresOf(shape);
     const Elsewhere elsewhere;
@@ -62,7 +66,7 @@ TEST(FeatureReference, FeetLieOnTheirPatchAsAllTrianglesSay)
 
 TEST(FeatureReference, NormalsAreThoseOfThePatchOnTheSideAskedFor)
 {
-  const TargetFeatures features = findFeatures(test::box(Vec3(0, 0, 0), Vec3(1, 2, 3)), {});
+  const TargetFeatures features = findFeatures(shapes::box(Vec3(0, 0, 0), Vec3(1, 2, 3)), {});
   const Elsewhere elsewhere;
   const FeatureReference reference(elsewhere, features, Far);
   const Index top = features.patchOf(features.closestPoint(Vec3(0.5, 1.0, 3.5)).triangle);
@@ -77,7 +81,7 @@ TEST(FeatureReference, NormalsAreThoseOfThePatchOnTheSideAskedFor)
 
 TEST(FeatureReference, WithoutAPatchTheOtherReferenceIsAsked)
 {
-  const TargetFeatures features = findFeatures(test::box(Vec3(0, 0, 0), Vec3(1, 2, 3)), {});
+  const TargetFeatures features = findFeatures(shapes::box(Vec3(0, 0, 0), Vec3(1, 2, 3)), {});
   const Elsewhere elsewhere;
   const FeatureReference reference(elsewhere, features, Far);
   const auto foot =
@@ -89,7 +93,7 @@ TEST(FeatureReference, WithoutAPatchTheOtherReferenceIsAsked)
 
 TEST(FeatureReference, NothingIsBeyondItsReach)
 {
-  const TargetFeatures features = findFeatures(test::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), {});
+  const TargetFeatures features = findFeatures(shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), {});
   const Elsewhere elsewhere;
   const FeatureReference reference(elsewhere, features, 0.25);
   const Index top = features.patchOf(features.closestPoint(Vec3(0.5, 0.5, 2.0)).triangle);
@@ -106,7 +110,7 @@ TEST(FeatureReference, NothingIsBeyondItsReach)
 TEST(FeatureReference, PointsOfCurvesAreThoseOfAllTheirEdges)
 {
   std::mt19937 generator(9);
-  for (const capture::Shape& shape : capture::shapes())
+  for (const capture::Shape& shape : capture::creasedShapes())
   {
     const TargetFeatures features = featuresOf(shape);
     const Elsewhere elsewhere;

@@ -42,14 +42,14 @@ std::set<Index> wanted(const EditableSurface& surface, double degrees)
 /// A wedge just captured: some bad elements.
 EditableSurface captureOfWedge(const TargetFeatures& features)
 {
-  EditableSurface surface = captured(shapes()[1], features);
+  EditableSurface surface = captured(creasedShapes()[1], features);
   surface.compact();
   return surface;
 }
 
 TEST(FeatureRelease, FreesTheCornersOfBadTrianglesAndNothingElse)
 {
-  const TargetFeatures features = featuresOf(shapes()[1]);
+  const TargetFeatures features = featuresOf(creasedShapes()[1]);
   const EditableSurface before = captureOfWedge(features);
   for (const double degrees : { 12.0, 18.0, 24.0 })
   {
@@ -67,7 +67,7 @@ TEST(FeatureRelease, FreesTheCornersOfBadTrianglesAndNothingElse)
       const bool isFree = free.count(before.from(e)) + free.count(before.to(e)) > 0;
       ASSERT_EQ(after.curve(e), isFree ? NoIndex : before.curve(e));
     }
-    for (const Index f : facesOf(before))
+    for (const Index f : editing::facesOf(before))
     {
       const bool isFree = free.count(before.from(3 * f)) + free.count(before.from(3 * f + 1)) +
           free.count(before.from(3 * f + 2)) >
@@ -79,7 +79,7 @@ TEST(FeatureRelease, FreesTheCornersOfBadTrianglesAndNothingElse)
 
 TEST(FeatureRelease, IsSeenByTheCoverage)
 {
-  const TargetFeatures features = featuresOf(shapes()[1]);
+  const TargetFeatures features = featuresOf(creasedShapes()[1]);
   EditableSurface surface = captureOfWedge(features);
   double unmarked = 0.0;
   const std::set<Index> free = wanted(surface, 15.0);
@@ -95,7 +95,7 @@ TEST(FeatureRelease, IsSeenByTheCoverage)
 
 TEST(FeatureRelease, OfGoodElementsIsNothing)
 {
-  const TargetFeatures features = featuresOf(shapes()[1]);
+  const TargetFeatures features = featuresOf(creasedShapes()[1]);
   EditableSurface surface = captureOfWedge(features);
   EXPECT_EQ(releaseFeatures(surface, 0.0), 0);
   EXPECT_EQ(featureCoverage(surface, features, 0.01, 1e-9).missing, 0.0);
@@ -103,7 +103,7 @@ TEST(FeatureRelease, OfGoodElementsIsNothing)
 
 TEST(FeatureRelease, OfEverythingLeavesNoCrease)
 {
-  const TargetFeatures features = featuresOf(shapes()[1]);
+  const TargetFeatures features = featuresOf(creasedShapes()[1]);
   EditableSurface surface = captureOfWedge(features);
   EXPECT_GT(releaseFeatures(surface, 61.0), 0);
   const FeatureCoverage coverage = featureCoverage(surface, features, 0.01, 10.0);
@@ -117,7 +117,7 @@ TEST(FeatureRelease, OfEverythingLeavesNoCrease)
 
 TEST(FeatureRelease, LocksStay)
 {
-  const TargetFeatures features = featuresOf(shapes()[1]);
+  const TargetFeatures features = featuresOf(creasedShapes()[1]);
   EditableSurface surface = captureOfWedge(features);
   const std::set<Index> free = wanted(surface, 15.0);
   surface.setLocked(*free.begin());

@@ -10,6 +10,7 @@
 #include "FeatureCapture/LabelSets.h"
 #include "FeatureCapture/VertexLabels.h"
 #include "Remeshing/EditingChecks.h"
+#include "Shapes/Polyhedra.h"
 
 #include <gtest/gtest.h>
 
@@ -160,7 +161,7 @@ TEST_P(CaptureStep, FacesGetALabelOfTheirCorners)
   splitLabelChanges(this->Surface, this->Features, labels);
   labelFaces(this->Surface, this->Features, labels);
   Index shared = 0;
-  for (const Index f : facesOf(this->Surface))
+  for (const Index f : editing::facesOf(this->Surface))
   {
     int corners = 0;
     for (Index k = 0; k < 3; ++k)
@@ -171,15 +172,15 @@ TEST_P(CaptureStep, FacesGetALabelOfTheirCorners)
     ASSERT_GE(corners, 1);
     shared += corners == 3 ? 1 : 0;
   }
-  EXPECT_GE(shared, static_cast<Index>(facesOf(this->Surface).size()) - 4);
+  EXPECT_GE(shared, static_cast<Index>(editing::facesOf(this->Surface).size()) - 4);
 }
 
-INSTANTIATE_TEST_SUITE_P(On, CaptureStep, testing::ValuesIn(shapes()),
+INSTANTIATE_TEST_SUITE_P(On, CaptureStep, testing::ValuesIn(creasedShapes()),
   [](const testing::TestParamInfo<Shape>& shape) { return shape.param.name; });
 
 TEST(LabelSplitting, PointsGoOntoBordersInReachOnly)
 {
-  const TargetFeatures cube = findFeatures(test::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), {});
+  const TargetFeatures cube = findFeatures(shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), {});
   const Index top = cube.closestPoint(Vec3(0.5, 0.5, 2)).label;
   const Index side = cube.closestPoint(Vec3(2, 0.5, 0.5)).label;
   const Vec3 near(0.9, 0.4, 1.0);

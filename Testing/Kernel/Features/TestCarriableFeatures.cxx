@@ -1,15 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Distance/DistanceShapes.h"
 #include "Features/CarriableFeatures.h"
-#include "Features/FeatureShapes.h"
 #include "Features/TargetFeatures.h"
+#include "Mesh/Angles.h"
+#include "Shapes/CreasedShapes.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -110,7 +114,7 @@ TEST(CarriableFeatures, DoNotIncludeRoughPlaces)
 
 TEST(CarriableFeatures, OfAShapeSmallerThanElementsAreNone)
 {
-  const TargetFeatures box = carried(test::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), 2.0);
+  const TargetFeatures box = carried(shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), 2.0);
   EXPECT_EQ(box.labelCount(), 1);
   EXPECT_TRUE(box.sharpEdges().list().empty());
   EXPECT_NEAR(box.lengthLeftOut(), 12.0, 1e-12);

@@ -1,21 +1,24 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Distance/DistanceShapes.h"
-#include "Features/FeatureShapes.h"
 #include "Features/TargetFeatures.h"
-#include "Mesh/MeshVariants.h"
-#include "Mesh/TestShapes.h"
+#include "Mesh/Angles.h"
+#include "Shapes/CreasedShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 #include <set>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 namespace
 {

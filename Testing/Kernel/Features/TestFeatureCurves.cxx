@@ -2,16 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Features/FeatureCurves.h"
-
-#include "Distance/DistanceShapes.h"
-#include "Features/FeatureShapes.h"
+#include "Mesh/Angles.h"
+#include "Shapes/CreasedShapes.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <random>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 namespace
 {

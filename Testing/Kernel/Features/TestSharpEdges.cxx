@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Features/SharpEdges.h"
-
-#include "Distance/DistanceShapes.h"
-#include "Features/FeatureShapes.h"
-#include "Mesh/MeshVariants.h"
+#include "Shapes/CreasedShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -88,7 +91,7 @@ TEST(SharpEdges, IncludeTheBoundaryWhenWanted)
 TEST(SharpEdges, CountTrianglesGivenTwiceOnce)
 {
   const SurfaceMesh cube = box(Vec3(0, 0, 0), Vec3(1, 1, 1));
-  EXPECT_EQ(sharpCount(merged(cube, insideOut(cube)), 45.0), 12u);
+  EXPECT_EQ(sharpCount(merged(cube, reversed(cube)), 45.0), 12u);
 }
 
 TEST(SharpEdges, LeadThroughSliversOnce)

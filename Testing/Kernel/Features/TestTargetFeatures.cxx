@@ -3,18 +3,23 @@
 
 #include "Features/TargetFeatures.h"
 
-#include "Distance/DistanceShapes.h"
 #include "Errors.h"
-#include "Features/FeatureShapes.h"
-#include "Mesh/MeshVariants.h"
+#include "Shapes/CreasedShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
 #include "ThreadedExecution.h"
+#include "Trees/TriangleGeometry.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <random>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -78,7 +83,7 @@ struct Summary
   double artificial;
 };
 
-std::vector<SurfaceMesh> shapes()
+std::vector<SurfaceMesh> creasedSurfaces()
 {
   return { box(Vec3(0, 0, 0), Vec3(1, 2, 3)), cappedCylinder(), fadingRidge(20), pressedWedge(40) };
 }
@@ -87,7 +92,7 @@ std::vector<SurfaceMesh> shapes()
 
 TEST(TargetFeatures, AreThoseOfSoupsAndTurnedFaces)
 {
-  for (const SurfaceMesh& mesh : shapes())
+  for (const SurfaceMesh& mesh : creasedSurfaces())
   {
     const Summary expected(findFeatures(mesh, Defaults));
     const SurfaceMesh mixed = turned(mesh, [](Index face) { return face % 5 < 2; });
@@ -99,19 +104,19 @@ TEST(TargetFeatures, AreThoseOfSoupsAndTurnedFaces)
 TEST(TargetFeatures, DoNotDependOnPlaceAndUnit)
 {
   std::mt19937 generator(3);
-  for (const SurfaceMesh& mesh : shapes())
+  for (const SurfaceMesh& mesh : creasedSurfaces())
   {
     FeatureOptions options;
     options.edgeLength = 0.05;
     const Summary expected(findFeatures(mesh, options));
     const SurfaceMesh rotated = mapped(mesh, randomRotation(generator));
     Summary(findFeatures(rotated, options)).expectEqual(expected);
-    const SurfaceMesh far = moved(mesh, 1.0, Vec3(300, -200, 100));
+    const SurfaceMesh far = transformed(mesh, 1.0, Vec3(300, -200, 100));
     Summary(findFeatures(far, options)).expectEqual(expected);
     for (const double scale : { 1e-4, 1e4 })
     {
       options.edgeLength = 0.05 * scale;
-      const SurfaceMesh scaled = moved(mesh, scale, Vec3::Zero());
+      const SurfaceMesh scaled = transformed(mesh, scale, Vec3::Zero());
       expected.expectEqual(Summary(findFeatures(scaled, options)), scale);
     }
   }
@@ -135,7 +140,7 @@ TEST(TargetFeatures, DoNotDependOnThreads)
 TEST(TargetFeatures, FindClosestPointsAsAllTrianglesSay)
 {
   std::mt19937 generator(5);
-  for (const SurfaceMesh& mesh : shapes())
+  for (const SurfaceMesh& mesh : creasedSurfaces())
   {
     const TargetFeatures features = findFeatures(mesh, Defaults);
     const SurfaceMesh& target = features.target().mesh();
@@ -176,7 +181,7 @@ TEST(TargetFeatures, FindNothingBeyondABound)
 TEST(TargetFeatures, FindClosestPointsOfCurvesAndCorners)
 {
   std::mt19937 generator(6);
-  for (const SurfaceMesh& mesh : shapes())
+  for (const SurfaceMesh& mesh : creasedSurfaces())
   {
     const TargetFeatures features = findFeatures(mesh, Defaults);
     const TargetTriangles& target = features.target();

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Mesh/Angles.h"
 #include "Mesh/BoundaryLoops.h"
-
-#include "Mesh/HoleyShapes.h"
-#include "Mesh/MeshVariants.h"
-#include "Mesh/TestShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +17,7 @@
 #include <set>
 
 using namespace evolving;
-using namespace evolving::testing_holes;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -78,7 +80,7 @@ std::set<std::set<Index>> vertexSets(const std::vector<BoundaryLoop>& loops)
 TEST(BoundaryLoops, AreNoneOnClosedSurfaces)
 {
   EXPECT_TRUE(boundaryLoops(unitCube()).empty());
-  EXPECT_TRUE(boundaryLoops(torus(12, 8, 2.0, 0.5)).empty());
+  EXPECT_TRUE(boundaryLoops(quadTorus(12, 8, 2.0, 0.5)).empty());
   EXPECT_TRUE(boundaryLoops(SurfaceMesh()).empty());
 }
 
@@ -132,7 +134,7 @@ TEST(BoundaryLoops, DoNotDependOnOrientationOrNumbering)
     EXPECT_EQ(mixed[k].diameter, loops[k].diameter);
     EXPECT_GT(loops[k].continuation, 0.7);
   }
-  const std::vector<BoundaryLoop> turned = boundaryLoops(flipped(mesh));
+  const std::vector<BoundaryLoop> turned = boundaryLoops(reversed(mesh));
   for (std::size_t k = 0; k < loops.size(); ++k)
   {
     EXPECT_NEAR((turned[k].vectorArea + loops[k].vectorArea).norm(), 0.0, 1e-12);
@@ -141,7 +143,7 @@ TEST(BoundaryLoops, DoNotDependOnOrientationOrNumbering)
 
 TEST(BoundaryLoops, FollowMostOfTheirFaces)
 {
-  SurfaceMesh mesh = disc(12);
+  SurfaceMesh mesh = fan(12);
   const BoundaryLoop before = boundaryLoops(mesh).front();
   EXPECT_GT(before.vectorArea.z(), 0.0);
   std::reverse(mesh.cornerVertices.begin() + 3, mesh.cornerVertices.begin() + 6);
@@ -187,7 +189,7 @@ TEST(BoundaryLoops, DiameterIsTheLargestOfAllDistances)
   std::mt19937 generator(11);
   for (int trial = 0; trial < 20; ++trial)
   {
-    SurfaceMesh mesh = disc(30);
+    SurfaceMesh mesh = fan(30);
     for (Vec3& point : mesh.points)
     {
       point += 0.8 * randomPoint(generator) + Vec3(300.0, 0.0, 0.0);

@@ -4,7 +4,8 @@
 #include "Mesh/BoxPairs.h"
 
 #include "Errors.h"
-#include "MeshVariants.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
 #include "ThreadedExecution.h"
 
 #include <gtest/gtest.h>
@@ -15,6 +16,8 @@
 
 namespace evolving
 {
+
+using namespace evolving::shapes;
 
 namespace
 {

@@ -4,7 +4,7 @@
 #include "Mesh/FloatPoints.h"
 
 #include "Mesh/MeshQuality.h"
-#include "TestShapes.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,8 @@
 
 namespace evolving
 {
+
+using namespace evolving::shapes;
 
 namespace
 {

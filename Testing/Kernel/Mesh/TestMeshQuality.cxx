@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Mesh/Angles.h"
 #include "Mesh/MeshQuality.h"
-
-#include "MeshVariants.h"
-#include "TestShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +17,8 @@
 namespace evolving
 {
 
+using namespace evolving::shapes;
+
 namespace
 {
 
@@ -24,7 +28,7 @@ SurfaceMesh trianglesWithAngles(const std::vector<double>& angles)
   SurfaceMesh mesh;
   for (const double angle : angles)
   {
-    const double radians = angle * 3.141592653589793 / 180.0;
+    const double radians = angle * Pi / 180.0;
     const Index tip = mesh.addPoint(Vec3::Zero());
     mesh.addPoint({ 1, 0, 0 });
     mesh.addPoint({ std::cos(radians), std::sin(radians), 0 });
@@ -67,11 +71,11 @@ TEST(MeshQuality, SmallAnglesAreAccurate)
 TEST(MeshQuality, AnglesDoNotDependOnPlaceRotationOrScale)
 {
   std::mt19937 generator(4);
-  const SurfaceMesh shape = torus(9, 6, 2.0, 0.7);
+  const SurfaceMesh shape = quadTorus(9, 6, 2.0, 0.7);
   const double expected = smallestAngle(shape);
   EXPECT_NEAR(smallestAngle(mapped(shape, randomRotation(generator))), expected, 1e-12);
-  EXPECT_NEAR(smallestAngle(moved(shape, 1e-30, Vec3::Zero())), expected, 1e-12);
-  EXPECT_NEAR(smallestAngle(moved(shape, 1.0, { 1e6, 1e6, 1e6 })), expected, 1e-6);
+  EXPECT_NEAR(smallestAngle(transformed(shape, 1e-30, Vec3::Zero())), expected, 1e-12);
+  EXPECT_NEAR(smallestAngle(transformed(shape, 1.0, { 1e6, 1e6, 1e6 })), expected, 1e-6);
 }
 
 TEST(MeshQuality, CollapsedFacesHaveAngleZero)
@@ -87,9 +91,9 @@ TEST(MeshQuality, AVanishingEdgeIsAngleZeroWhereverTheFaceLies)
   // Signed zeros: the products of the vanishing edge are -0 in half of the directions.
   for (const double sign : { 1.0, -1.0 })
   {
-    const SurfaceMesh quad =
-      moved(makeMesh({ { 0, 0, 0 }, { 0, 0, 0 }, { 2, 1, 1 }, { 1, 2, 1 } }, { { 0, 1, 2, 3 } }),
-        sign, Vec3::Zero());
+    const SurfaceMesh quad = transformed(
+      makeMesh({ { 0, 0, 0 }, { 0, 0, 0 }, { 2, 1, 1 }, { 1, 2, 1 } }, { { 0, 1, 2, 3 } }), sign,
+      Vec3::Zero());
     EXPECT_EQ(smallestAngle(quad), 0.0);
   }
 }
@@ -119,7 +123,7 @@ TEST(MeshQuality, MeanEdgeLength)
 {
   EXPECT_NEAR(meanEdgeLength(unitCube()), 1.0, 1e-15);
   EXPECT_NEAR(meanEdgeLength(cornerTetrahedron()), (1.0 + std::sqrt(2.0)) / 2.0, 1e-15);
-  EXPECT_NEAR(meanEdgeLength(moved(unitCube(), 3.0, { 1e5, 0, 0 })), 3.0, 1e-9);
+  EXPECT_NEAR(meanEdgeLength(transformed(unitCube(), 3.0, { 1e5, 0, 0 })), 3.0, 1e-9);
 }
 
 } // namespace

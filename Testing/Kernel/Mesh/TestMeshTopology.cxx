@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Mesh/MeshTopology.h"
-
-#include "MeshVariants.h"
-#include "TestShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +18,8 @@
 
 namespace evolving
 {
+
+using namespace evolving::shapes;
 
 namespace
 {
@@ -30,14 +34,14 @@ std::vector<NamedMesh> manifoldMeshes()
 {
   std::mt19937 generator(42);
   std::vector<NamedMesh> meshes{ { "Empty", {} }, { "Tetrahedron", cornerTetrahedron() },
-    { "Cube", unitCube() }, { "Icosphere", unitIcosphere(2) }, { "Torus", torus(7, 5, 2.0, 0.5) },
-    { "Genus2", triangulated(slabWithHoles(2), generator) }, { "Annulus", annulus(6) },
-    { "Disc", disc(7) }, { "Sheet", triangleSheet(4, 5) },
-    { "UnusedPoints", unionOf(makeMesh({ { 9, 9, 9 } }, {}), disc(4)) },
+    { "Cube", unitCube() }, { "Icosphere", unitIcosphere(2) },
+    { "Torus", quadTorus(7, 5, 2.0, 0.5) }, { "Genus2", triangulated(slabWithHoles(2), generator) },
+    { "Annulus", annulus(6) }, { "Disc", fan(7) }, { "Sheet", triangleSheet(4, 5) },
+    { "UnusedPoints", merged(makeMesh({ { 9, 9, 9 } }, {}), fan(4)) },
     { "Triangle", makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } }) },
     { "TwoSided",
       makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 }, { 2, 1, 0 } }) },
-    { "Several", unionOf(unionOf(disc(5), unitCube()), annulus(4)) } };
+    { "Several", merged(merged(fan(5), unitCube()), annulus(4)) } };
   const std::size_t count = meshes.size();
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -186,7 +190,7 @@ TEST(MeshTopology, LoopsOfAnnulusAndDisc)
   ASSERT_EQ(ring.boundaryLoops().size(), 2U);
   EXPECT_EQ(ring.boundaryLoops()[0], (std::vector<Index>{ 0, 10, 8, 6, 4, 2 })) << "inner";
   EXPECT_EQ(ring.boundaryLoops()[1], (std::vector<Index>{ 1, 3, 5, 7, 9, 11 })) << "outer";
-  const MeshTopology plate(disc(5));
+  const MeshTopology plate(fan(5));
   ASSERT_EQ(plate.boundaryLoops().size(), 1U);
   EXPECT_EQ(plate.boundaryLoops()[0], (std::vector<Index>{ 1, 2, 3, 4, 5 }));
   EXPECT_FALSE(plate.isBoundary(0));
@@ -197,12 +201,12 @@ TEST(MeshTopology, CountsComponents)
 {
   EXPECT_EQ(MeshTopology(SurfaceMesh()).componentCount(), 0);
   EXPECT_EQ(MeshTopology(unitCube()).componentCount(), 1);
-  EXPECT_EQ(MeshTopology(unionOf(unionOf(disc(5), unitCube()), annulus(4))).componentCount(), 3);
+  EXPECT_EQ(MeshTopology(merged(merged(fan(5), unitCube()), annulus(4))).componentCount(), 3);
 }
 
 TEST(MeshTopology, RingOfADiscGoesRoundOnce)
 {
-  const MeshTopology topology(disc(6));
+  const MeshTopology topology(fan(6));
   const MeshTopology::Run ring = topology.ringVertices(0);
   EXPECT_EQ(std::vector<Index>(ring.begin(), ring.end()), (std::vector<Index>{ 1, 2, 3, 4, 5, 6 }));
   const MeshTopology::Run half = topology.ringVertices(2);

@@ -1,9 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Checks/Refusal.h"
 #include "Errors.h"
 #include "Mesh/MeshTopology.h"
-#include "TestShapes.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
 
 #include <gtest/gtest.h>
 
@@ -14,20 +18,14 @@
 namespace evolving
 {
 
+using namespace evolving::shapes;
+
 namespace
 {
 
 std::string refusalOf(const SurfaceMesh& mesh)
 {
-  try
-  {
-    const MeshTopology topology(mesh);
-  }
-  catch (const InputError& error)
-  {
-    return error.what();
-  }
-  return "accepted";
+  return checks::refusalOf([&] { MeshTopology{ mesh }; });
 }
 
 bool startsWith(const std::string& text, const std::string& beginning)
@@ -69,7 +67,7 @@ TEST(MeshTopologyRefusals, EveryKindOfBowTie)
       { { 0, 1, 2 }, { 0, 3, 4 } });
   const SurfaceMesh closed = cellSurface({ { 0, 0, 0 }, { 1, 1, 1 } });
   // The disc's centre becomes the top of a tetrahedron as well.
-  SurfaceMesh mixed = disc(5);
+  SurfaceMesh mixed = fan(5);
   mixed.addPoint({ 1, 0, 1 });
   mixed.addPoint({ -1, 1, 1 });
   mixed.addFace({ 0, 6, 7 });

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Mesh/Orientation.h"
-
-#include "MeshVariants.h"
+#include "Shapes/MeshVariants.h"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +15,8 @@
 
 namespace evolving
 {
+
+using namespace evolving::shapes;
 
 namespace
 {

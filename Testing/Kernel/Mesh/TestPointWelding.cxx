@@ -4,8 +4,10 @@
 #include "Mesh/PointWelding.h"
 #include "Mesh/SurfaceMesh.h"
 #include "Mesh/TopologySummary.h"
-#include "MeshVariants.h"
-#include "TestShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
 
 #include <gtest/gtest.h>
 
@@ -18,12 +20,14 @@
 namespace evolving
 {
 
+using namespace evolving::shapes;
+
 namespace
 {
 
 TEST(PointWelding, GivesASoupItsTopologyBack)
 {
-  for (const SurfaceMesh& shape : { unitCube(), unitIcosphere(2), torus(9, 6, 2.0, 0.5) })
+  for (const SurfaceMesh& shape : { unitCube(), unitIcosphere(2), quadTorus(9, 6, 2.0, 0.5) })
   {
     const SurfaceMesh welded = weldCoincidentPoints(soupOf(shape));
     const TopologySummary expected = summarizeTopology(shape);
@@ -56,7 +60,7 @@ TEST(PointWelding, ChangesNothingInAWeldedMesh)
 TEST(PointWelding, NumbersLeadBackToTheOldMesh)
 {
   std::mt19937 generator(3);
-  const SurfaceMesh soup = soupOf(triangulated(torus(8, 5, 2.0, 0.5), generator));
+  const SurfaceMesh soup = soupOf(triangulated(quadTorus(8, 5, 2.0, 0.5), generator));
   std::vector<Index> oldVertex{ 99 };
   std::vector<Index> oldFace{ 99 };
   const SurfaceMesh welded = weldCoincidentPoints(soup, &oldVertex, &oldFace);

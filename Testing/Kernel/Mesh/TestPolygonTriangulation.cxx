@@ -4,6 +4,7 @@
 #include "Mesh/PolygonTriangulation.h"
 
 #include "Errors.h"
+#include "Mesh/Angles.h"
 
 #include <gtest/gtest.h>
 
@@ -137,7 +138,7 @@ TEST(PolygonTriangulation, CoversAStarWithoutOverlap)
   for (int k = 0; k < 14; ++k)
   {
     const double r = k % 2 == 0 ? 1.0 : 0.3;
-    const double angle = 2.0 * 3.14159265358979323846 * k / 14;
+    const double angle = 2.0 * Pi * k / 14;
     star.push_back(Vec3(r * std::cos(angle), r * std::sin(angle), 0));
   }
   const auto triangles = triangulatePolygon(star);

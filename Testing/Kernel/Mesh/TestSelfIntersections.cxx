@@ -5,8 +5,11 @@
 
 #include "Errors.h"
 #include "Mesh/TrianglePairs.h"
-#include "MeshVariants.h"
-#include "TestShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
 #include "ThreadedExecution.h"
 
 #include <gtest/gtest.h>
@@ -21,6 +24,8 @@
 
 namespace evolving
 {
+
+using namespace evolving::shapes;
 
 namespace
 {
@@ -82,10 +87,11 @@ SurfaceMesh foldedSheet(Index rows, Index columns, Index foldEvery)
 TEST(SelfIntersections, NoneInEmbeddedSurfaces)
 {
   std::mt19937 generator(53);
-  for (const SurfaceMesh& mesh : { SurfaceMesh(), cornerTetrahedron(), unitIcosphere(0),
-         unitIcosphere(4), triangulated(unitCube(), generator), triangleSheet(20, 30),
-         triangulated(slabWithHoles(2), generator), triangulated(torus(40, 20, 2, 0.7), generator),
-         triangulated(moebiusBand(30), generator) })
+  for (const SurfaceMesh& mesh :
+    { SurfaceMesh(), cornerTetrahedron(), unitIcosphere(0), unitIcosphere(4),
+      triangulated(unitCube(), generator), triangleSheet(20, 30),
+      triangulated(slabWithHoles(2), generator), triangulated(quadTorus(40, 20, 2, 0.7), generator),
+      triangulated(moebiusBand(30), generator) })
   {
     EXPECT_TRUE(selfIntersections(mesh).empty());
     EXPECT_TRUE(selfIntersections(mapped(mesh, randomRotation(generator))).empty());
@@ -108,7 +114,7 @@ TEST(SelfIntersections, AgreeWithAllPairsInRandomSoups)
 TEST(SelfIntersections, OfTwoSpheresLieAlongTheirCircle)
 {
   const SurfaceMesh sphere = unitIcosphere(3);
-  const SurfaceMesh both = unionOf(sphere, moved(sphere, 1.0, { 1.0, 0.01, 0.02 }));
+  const SurfaceMesh both = merged(sphere, transformed(sphere, 1.0, { 1.0, 0.01, 0.02 }));
   const Pairs pairs = selfIntersections(both);
   EXPECT_EQ(pairs, allPairsReference(both));
   EXPECT_GT(pairs.size(), 60U);
@@ -123,8 +129,9 @@ TEST(SelfIntersections, OfTwoSpheresLieAlongTheirCircle)
 TEST(SelfIntersections, OfSpheresThatAreApartOrInsideEachOtherAreNone)
 {
   const SurfaceMesh sphere = unitIcosphere(3);
-  EXPECT_TRUE(selfIntersections(unionOf(sphere, moved(sphere, 1.0, { 2.0001, 0, 0 }))).empty());
-  EXPECT_TRUE(selfIntersections(unionOf(sphere, moved(sphere, 0.98, Vec3::Zero()))).empty());
+  EXPECT_TRUE(
+    selfIntersections(merged(sphere, transformed(sphere, 1.0, { 2.0001, 0, 0 }))).empty());
+  EXPECT_TRUE(selfIntersections(merged(sphere, transformed(sphere, 0.98, Vec3::Zero()))).empty());
 }
 
 TEST(SelfIntersections, OfASheetFoldedFlat)
@@ -205,17 +212,17 @@ TEST(SelfIntersections, DoNotDependOnScaleOrPlace)
   EXPECT_GT(expected.size(), 20U);
   for (const int exponent : { -1000, -300, -1, 1, 300, 1000 })
   {
-    const SurfaceMesh scaled = moved(soup, std::ldexp(1.0, exponent), Vec3::Zero());
+    const SurfaceMesh scaled = transformed(soup, std::ldexp(1.0, exponent), Vec3::Zero());
     EXPECT_EQ(selfIntersections(scaled), expected) << "times 2^" << exponent;
   }
-  EXPECT_EQ(selfIntersections(moved(soup, 1e-30, Vec3::Zero())), expected);
-  EXPECT_EQ(selfIntersections(moved(soup, 1e30, Vec3::Zero())), expected);
-  EXPECT_EQ(selfIntersections(moved(soup, 1.0, { 1e6, -2e6, 3e5 })), expected);
+  EXPECT_EQ(selfIntersections(transformed(soup, 1e-30, Vec3::Zero())), expected);
+  EXPECT_EQ(selfIntersections(transformed(soup, 1e30, Vec3::Zero())), expected);
+  EXPECT_EQ(selfIntersections(transformed(soup, 1.0, { 1e6, -2e6, 3e5 })), expected);
   EXPECT_EQ(selfIntersections(mapped(soup, randomRotation(generator))), expected);
   // Whole numbers: this move is exact, so every touching pair must still touch.
   const SurfaceMesh folded = foldedSheet(13, 4, 3);
-  EXPECT_EQ(
-    selfIntersections(moved(folded, 1.0, { 1e15, -1e15, 12345.0 })), selfIntersections(folded));
+  EXPECT_EQ(selfIntersections(transformed(folded, 1.0, { 1e15, -1e15, 12345.0 })),
+    selfIntersections(folded));
 }
 
 TEST(SelfIntersections, AreTheSameForAnyThreads)

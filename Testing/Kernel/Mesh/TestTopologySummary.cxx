@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Mesh/TopologySummary.h"
-
-#include "MeshVariants.h"
-#include "TestShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +14,8 @@
 
 namespace evolving
 {
+
+using namespace evolving::shapes;
 
 namespace
 {
@@ -34,7 +38,7 @@ TEST(TopologySummary, ClosedSurfacesHaveTheirGenus)
     SurfaceMesh mesh;
     Index genus;
   } cases[] = { { cornerTetrahedron(), 0 }, { unitCube(), 0 }, { unitIcosphere(2), 0 },
-    { torus(7, 5, 2.0, 0.5), 1 }, { slabWithHoles(1), 1 }, { slabWithHoles(2), 2 },
+    { quadTorus(7, 5, 2.0, 0.5), 1 }, { slabWithHoles(1), 1 }, { slabWithHoles(2), 2 },
     { slabWithHoles(5), 5 } };
   for (const auto& c : cases)
   {
@@ -54,7 +58,7 @@ TEST(TopologySummary, ClosedSurfacesHaveTheirGenus)
 
 TEST(TopologySummary, GenusAddsOverComponents)
 {
-  const SurfaceMesh both = unionOf(unionOf(slabWithHoles(2), unitCube()), torus(5, 4, 2, 1));
+  const SurfaceMesh both = merged(merged(slabWithHoles(2), unitCube()), quadTorus(5, 4, 2, 1));
   const TopologySummary summary = summarizeTopology(both);
   EXPECT_EQ(summary.components, 3);
   EXPECT_EQ(summary.genus(), 3);
@@ -64,10 +68,10 @@ TEST(TopologySummary, CountsBoundaryEdges)
 {
   EXPECT_EQ(summarizeTopology(annulus(8)).boundaryEdges, 16);
   EXPECT_EQ(summarizeTopology(annulus(8)).eulerCharacteristic(), 0);
-  EXPECT_EQ(summarizeTopology(disc(6)).boundaryEdges, 6);
-  EXPECT_EQ(summarizeTopology(disc(6)).eulerCharacteristic(), 1);
-  EXPECT_FALSE(summarizeTopology(disc(6)).isClosed());
-  EXPECT_TRUE(summarizeTopology(disc(6)).isManifold());
+  EXPECT_EQ(summarizeTopology(fan(6)).boundaryEdges, 6);
+  EXPECT_EQ(summarizeTopology(fan(6)).eulerCharacteristic(), 1);
+  EXPECT_FALSE(summarizeTopology(fan(6)).isClosed());
+  EXPECT_TRUE(summarizeTopology(fan(6)).isManifold());
 }
 
 TEST(TopologySummary, MoebiusBandIsManifoldButCannotBeOriented)
@@ -132,7 +136,7 @@ TEST(TopologySummary, UnusedVerticesDoNotCount)
 {
   SurfaceMesh mesh;
   mesh.addPoint({ 9, 9, 9 });
-  mesh = unionOf(mesh, unionOf(unitCube(), makeMesh({ { 5, 5, 5 } }, {})));
+  mesh = merged(mesh, merged(unitCube(), makeMesh({ { 5, 5, 5 } }, {})));
   const TopologySummary summary = summarizeTopology(mesh);
   EXPECT_EQ(summary.usedVertices, 8);
   EXPECT_EQ(summary.components, 1);

@@ -3,7 +3,8 @@
 
 #include "Mesh/TriangleEdges.h"
 
-#include "Distance/DistanceShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@
 #include <vector>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 TEST(TriangleEdges, OfAClosedMeshHaveTwoFacesInOppositeDirections)
 {

@@ -3,7 +3,7 @@
 
 #include "Mesh/UsablePart.h"
 
-#include "TestShapes.h"
+#include "Shapes/Polyhedra.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,8 @@
 
 namespace evolving
 {
+
+using namespace evolving::shapes;
 
 namespace
 {

@@ -3,8 +3,12 @@
 
 #include "Mesh/VertexNormals.h"
 
-#include "MeshVariants.h"
-#include "TestShapes.h"
+#include "Mesh/MeshTopology.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
 #include "ThreadedExecution.h"
 
 #include <gtest/gtest.h>
@@ -16,6 +20,8 @@
 
 namespace evolving
 {
+
+using namespace evolving::shapes;
 
 namespace
 {
@@ -104,7 +110,7 @@ TEST(VertexNormals, OfASphereConverge)
 TEST(VertexNormals, TurnWithTheMeshAndIgnoreScaleAndPlace)
 {
   std::mt19937 generator(7);
-  const SurfaceMesh shape = torus(9, 6, 2.0, 0.7);
+  const SurfaceMesh shape = quadTorus(9, 6, 2.0, 0.7);
   const Eigen::Matrix3d rotation = randomRotation(generator);
   std::vector<Vec3> expected = topologicalNormals(shape);
   for (Vec3& normal : expected)
@@ -113,9 +119,9 @@ TEST(VertexNormals, TurnWithTheMeshAndIgnoreScaleAndPlace)
   }
   const SurfaceMesh turned = mapped(shape, rotation);
   expectNear(topologicalNormals(turned), expected, 1e-14);
-  expectNear(topologicalNormals(moved(turned, 1e-30, Vec3::Zero())), expected, 1e-14);
-  expectNear(topologicalNormals(moved(turned, 1e30, Vec3::Zero())), expected, 1e-14);
-  expectNear(topologicalNormals(moved(turned, 1.0, { 1e6, 0, 0 })), expected, 1e-8);
+  expectNear(topologicalNormals(transformed(turned, 1e-30, Vec3::Zero())), expected, 1e-14);
+  expectNear(topologicalNormals(transformed(turned, 1e30, Vec3::Zero())), expected, 1e-14);
+  expectNear(topologicalNormals(transformed(turned, 1.0, { 1e6, 0, 0 })), expected, 1e-8);
 }
 
 TEST(VertexNormals, FlipWithTheFaces)
@@ -126,13 +132,13 @@ TEST(VertexNormals, FlipWithTheFaces)
   {
     normal = -normal;
   }
-  expectNear(topologicalNormals(flipped(shape)), expected, 1e-15);
+  expectNear(topologicalNormals(reversed(shape)), expected, 1e-15);
 }
 
 TEST(VertexNormals, WithAndWithoutTopologyAgree)
 {
   std::mt19937 generator(9);
-  for (const SurfaceMesh& mesh : { unitIcosphere(2), torus(9, 6, 2.0, 0.7), annulus(5),
+  for (const SurfaceMesh& mesh : { unitIcosphere(2), quadTorus(9, 6, 2.0, 0.7), annulus(5),
          triangulated(slabWithHoles(2), generator) })
   {
     expectNear(angleWeightedNormals(mesh), topologicalNormals(mesh), 1e-14);
@@ -159,7 +165,7 @@ TEST(VertexNormals, AreZeroWithoutAreaAndNeverNaN)
 TEST(VertexNormals, ANeedleDoesNotTurnItsNeighbours)
 {
   // A plane whose vertex 0 also belongs to an upright triangle of width 1e-17.
-  SurfaceMesh mesh = disc(6);
+  SurfaceMesh mesh = fan(6);
   mesh.addPoint({ 0, 0, 1 });
   mesh.addPoint({ 1e-17, 0, 1 });
   mesh.addFace({ 0, 7, 8 });

@@ -3,11 +3,16 @@
 
 #include "Operators/ElementShape.h"
 
-#include "Evolution/EvolutionShapes.h"
+#include "Mesh/Angles.h"
+#include "Mesh/MeshTopology.h"
 #include "Operators/SurfaceGeometry.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace evolving;
@@ -65,7 +70,7 @@ TEST(ElementShape, IsOneForRegularPolygonsOfAnySize)
 {
   for (const Index size : { 3, 4, 5, 8 })
   {
-    const double angle = shapes::Pi * (size - 2) / size;
+    const double angle = Pi * (size - 2) / size;
     for (const double length : { 1e-20, 1.0, 1e20 })
     {
       const Vec3 e1(length, 0.0, 0.0);
@@ -94,7 +99,7 @@ TEST(BestShapeMove, RestsInRegularRings)
   SurfaceMesh triangles = star({ 0.0, 1.0, 2.0, 3.0, 4.0, 5.0 }, Vec3::Zero());
   for (int k = 0; k < 6; ++k)
   {
-    const double angle = k * shapes::Pi / 3.0;
+    const double angle = k * Pi / 3.0;
     triangles.points[static_cast<std::size_t>(k + 1)] = Vec3(std::cos(angle), std::sin(angle), 0.0);
   }
   EXPECT_LT(moveOf(triangles, 0).norm(), 1e-15);
@@ -121,8 +126,7 @@ TEST(BestShapeMove, GoesToTheMinimumByNewtonsMethod)
   for (int k = 0; k < 8; ++k)
   {
     SurfaceMesh beside = mesh;
-    beside.points[0] +=
-      1e-3 * Vec3(std::cos(k * shapes::Pi / 4.0), std::sin(k * shapes::Pi / 4.0), 0.0);
+    beside.points[0] += 1e-3 * Vec3(std::cos(k * Pi / 4.0), std::sin(k * Pi / 4.0), 0.0);
     EXPECT_GT(energyOf(beside), least + 1e-7);
   }
 }

@@ -3,11 +3,18 @@
 
 #include "Operators/FiniteVolumes.h"
 
-#include "Evolution/EvolutionShapes.h"
 #include "Operators/Discretization.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 #include "ThreadedExecution.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace evolving;
 

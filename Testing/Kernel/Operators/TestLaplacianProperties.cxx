@@ -3,10 +3,15 @@
 
 #include "Operators/FiniteVolumes.h"
 
-#include "Evolution/EvolutionShapes.h"
-#include "Evolution/RoundShapes.h"
+#include "Mesh/MeshTopology.h"
 #include "Operators/Discretization.h"
 #include "Operators/SurfaceGeometry.h"
+#include "Shapes/MixedPolygons.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +29,7 @@ std::vector<SurfaceMesh> variousSurfaces()
 {
   return { icosphere(2), shapes::bumpySphere(2), cubeSphere(4), shapes::hexagonalPrism(),
     shapes::mixedSphere(2), shapes::shakenSheet(6, true, 0.4, 1),
-    shapes::shakenSheet(6, false, 0.3, 2), shapes::torusGrid(9, 7, 2.0, 0.8, false) };
+    shapes::shakenSheet(6, false, 0.3, 2), shapes::quadTorus(9, 7, 2.0, 0.8) };
 }
 
 /// Dirichlet energy over squared norm of a function on a surface.

@@ -3,7 +3,7 @@
 
 #include "Operators/PolygonLaplacian.h"
 
-#include "Evolution/EvolutionShapes.h"
+#include "Mesh/Angles.h"
 #include "Operators/Discretization.h"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ TEST(PolygonLaplacian, VirtualVertexOfARegularPolygonIsItsCentre)
   std::vector<Vec3> corners;
   for (int k = 0; k < 5; ++k)
   {
-    corners.emplace_back(3.0 + std::cos(0.4 * shapes::Pi * k), std::sin(0.4 * shapes::Pi * k), 2.0);
+    corners.emplace_back(3.0 + std::cos(0.4 * Pi * k), std::sin(0.4 * Pi * k), 2.0);
   }
   const VirtualVertex apex = virtualVertex(corners);
   EXPECT_LT((apex.point - Vec3(3, 0, 2)).norm(), 1e-14);
@@ -74,8 +74,8 @@ TEST(PolygonLaplacian, VirtualVertexMinimisesTheSquaredAreas)
   std::vector<Vec3> corners;
   for (int k = 0; k < 6; ++k)
   {
-    corners.emplace_back(std::cos(shapes::Pi * k / 3.0) + shift(random),
-      std::sin(shapes::Pi * k / 3.0) + shift(random), shift(random));
+    corners.emplace_back(std::cos(Pi * k / 3.0) + shift(random),
+      std::sin(Pi * k / 3.0) + shift(random), shift(random));
   }
   const auto energy = [&](const Vec3& apex)
   {

@@ -3,9 +3,10 @@
 
 #include "Operators/SurfaceGradient.h"
 
-#include "Evolution/EvolutionShapes.h"
 #include "Operators/Discretization.h"
 #include "Operators/SurfaceGeometry.h"
+#include "Shapes/Sheets.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 

@@ -3,11 +3,16 @@
 
 #include "Redistribution/AngleRedistribution.h"
 
-#include "Evolution/EvolutionShapes.h"
+#include "Mesh/Angles.h"
 #include "Mesh/MeshQuality.h"
 #include "Redistribution/MeasuredSurface.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace evolving;
 
@@ -42,7 +47,7 @@ SurfaceMesh hexagon()
   mesh.addPoint(Vec3::Zero());
   for (int k = 0; k < 6; ++k)
   {
-    mesh.addPoint(Vec3(std::cos(k * shapes::Pi / 3.0), std::sin(k * shapes::Pi / 3.0), 0.0));
+    mesh.addPoint(Vec3(std::cos(k * Pi / 3.0), std::sin(k * Pi / 3.0), 0.0));
   }
   for (Index k = 0; k < 6; ++k)
   {

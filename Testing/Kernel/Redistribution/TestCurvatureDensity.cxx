@@ -3,8 +3,10 @@
 
 #include "Redistribution/CurvatureDensity.h"
 
-#include "Evolution/EvolutionShapes.h"
 #include "Redistribution/MeasuredSurface.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Mesh/Angles.h"
+#include "Mesh/MeshTopology.h"
 #include "Redistribution/CurveEdges.h"
-
-#include "Evolution/EvolutionShapes.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace evolving;
 
@@ -22,17 +27,6 @@ std::size_t count(const SurfaceMesh& mesh, double creaseAngle)
     ends += neighbours.size();
   }
   return ends / 2;
-}
-
-SurfaceMesh tetrahedron()
-{
-  SurfaceMesh mesh;
-  mesh.points = { Vec3(1, 1, 1), Vec3(1, -1, -1), Vec3(-1, 1, -1), Vec3(-1, -1, 1) };
-  mesh.addFace({ 0, 1, 2 });
-  mesh.addFace({ 0, 2, 3 });
-  mesh.addFace({ 0, 3, 1 });
-  mesh.addFace({ 1, 3, 2 });
-  return mesh;
 }
 
 /// A fine flat sheet with one vertex pulled out far.
@@ -56,7 +50,7 @@ TEST(CurveEdges, AreTheBoundaryAndTheCreases)
 
 TEST(CurveEdges, ACoarseSolidKeepsItsEdges)
 {
-  EXPECT_EQ(count(tetrahedron(), 45.0), 6U);
+  EXPECT_EQ(count(shapes::regularTetrahedron(), 45.0), 6U);
 }
 
 TEST(CurveEdges, AFewSharpEdgesOfAFineMeshAreNoCurve)
@@ -72,7 +66,7 @@ TEST(CurveEdges, AFewSharpEdgesOfAFineMeshAreNoCurve)
     {
       const Vec3 here = faceVectorArea(mesh, topology.faceOf(corner)).normalized();
       const Vec3 there = faceVectorArea(mesh, topology.faceOf(opposite)).normalized();
-      bent += here.dot(there) < std::cos(shapes::Pi / 4.0) ? 1U : 0U;
+      bent += here.dot(there) < std::cos(Pi / 4.0) ? 1U : 0U;
     }
   }
   EXPECT_GT(bent, 4U); // although they are bent by more than 45 degrees

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Mesh/MeshTopology.h"
 #include "Redistribution/EdgeChains.h"
-
-#include "Evolution/EvolutionShapes.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Tubes.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +17,7 @@ using namespace evolving;
 
 TEST(EdgeChains, AreTheGridLinesOfATorus)
 {
-  const SurfaceMesh quads = shapes::torusGrid(10, 6, 2.0, 0.7, false);
+  const SurfaceMesh quads = shapes::quadTorus(10, 6, 2.0, 0.7);
   const MeshTopology topology(quads);
   const std::vector<VertexChain> chains = edgeChains(topology, SurfaceCurves(quads, topology));
   std::map<Index, int> lengths;
@@ -29,8 +31,8 @@ TEST(EdgeChains, AreTheGridLinesOfATorus)
 
 TEST(EdgeChains, CoverEveryInnerEdgeOnce)
 {
-  for (const SurfaceMesh& mesh : { icosphere(2), cubeSphere(5), shapes::sheet(6, true),
-         shapes::torusGrid(9, 7, 2.0, 0.7, true) })
+  for (const SurfaceMesh& mesh :
+    { icosphere(2), cubeSphere(5), shapes::sheet(6, true), shapes::torus(9, 7, 2.0, 0.7) })
   {
     const MeshTopology topology(mesh);
     std::multiset<std::pair<Index, Index>> seen;
@@ -58,7 +60,7 @@ TEST(EdgeChains, CoverEveryInnerEdgeOnce)
 
 TEST(EdgeChains, EndAfterTheirLongestLength)
 {
-  const SurfaceMesh mesh = shapes::torusGrid(12000, 3, 2.0, 0.01, false);
+  const SurfaceMesh mesh = shapes::quadTorus(12000, 3, 2.0, 0.01);
   const MeshTopology topology(mesh);
   std::map<Index, int> lengths;
   for (const VertexChain& chain : edgeChains(topology, SurfaceCurves(mesh, topology)))

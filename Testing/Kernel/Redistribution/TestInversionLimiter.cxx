@@ -4,9 +4,12 @@
 #include "Redistribution/InversionLimiter.h"
 
 #include "Errors.h"
-#include "Evolution/EvolutionShapes.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/VertexNormals.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -140,7 +143,7 @@ TEST(InversionLimiter, AVanishedComponentHasNoSides)
 {
   // The smaller sphere becomes a point, and what rounding makes of it is turned inside out.
   const SurfaceMesh small = shapes::transformed(icosphere(2), 0.1, Vec3(4.0, 0.0, 0.0));
-  const SurfaceMesh start = shapes::together(icosphere(2), small);
+  const SurfaceMesh start = shapes::merged(icosphere(2), small);
   TestedMove limited(start);
   std::vector<Vec3> displacement(start.points.size(), Vec3::Zero());
   for (std::size_t i = 162; i < start.points.size(); ++i)

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Mesh/MeshTopology.h"
 #include "Redistribution/InversionRemedies.h"
-
-#include "Evolution/EvolutionShapes.h"
+#include "Shapes/Sheets.h"
 
 #include <gtest/gtest.h>
 

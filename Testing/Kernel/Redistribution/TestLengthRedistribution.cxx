@@ -3,8 +3,12 @@
 
 #include "Redistribution/LengthRedistribution.h"
 
-#include "Evolution/EvolutionShapes.h"
+#include "Checks/SurfaceMeasures.h"
+#include "Mesh/Angles.h"
+#include "Mesh/MeshTopology.h"
 #include "Operators/SurfaceGeometry.h"
+#include "Shapes/Tubes.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -90,7 +94,7 @@ TEST(LengthRedistribution, KeepsRelativeLengthsOfAShrinkingEllipse)
     for (int k = 0; k < 100; ++k)
     {
       chain.vertices.push_back(k);
-      const double angle = 0.02 * shapes::Pi * k;
+      const double angle = 0.02 * Pi * k;
       points.emplace_back(2.0 * std::cos(angle), std::sin(angle), 0.0);
     }
     const std::vector<double> start = segmentLengths(chain, points);
@@ -129,7 +133,7 @@ TEST(LengthRedistribution, KeepsRelativeLengthsOfAShrinkingEllipse)
 
 TEST(LengthRedistribution, EvensOutTheGridOfATorus)
 {
-  SurfaceMesh mesh = shapes::torusGrid(16, 12, 2.0, 0.8, false);
+  SurfaceMesh mesh = shapes::quadTorus(16, 12, 2.0, 0.8);
   const MeshTopology topology(mesh);
   // Crowd the vertices along the ring.
   for (Vec3& p : mesh.points)
@@ -147,7 +151,7 @@ TEST(LengthRedistribution, EvensOutTheGridOfATorus)
         mesh.points[static_cast<std::size_t>(i * 12)])
                           .norm());
     }
-    return shapes::relativeSpread(lengths);
+    return checks::relativeSpread(lengths);
   };
   const double before = spreadAlongRing();
   SurfaceGeometry geometry(topology);

@@ -5,8 +5,12 @@
 
 #include "Redistribution/SurfaceRedistribution.h"
 
-#include "Evolution/EvolutionShapes.h"
+#include "Mesh/Angles.h"
 #include "Mesh/MeshQuality.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -80,7 +84,7 @@ TEST(RedistributionAngles, VolumeAndShapeTogetherTurnNothingOver)
   SurfaceMesh input = irregularSheet(20);
   for (Vec3& p : input.points) // an arched roof
   {
-    p.z() = 0.3 * std::sin(shapes::Pi * p.x());
+    p.z() = 0.3 * std::sin(Pi * p.x());
   }
   SurfaceRedistributionOptions options;
   options.redistribution.volume = 1.0;
@@ -95,7 +99,7 @@ TEST(RedistributionAngles, NeverWorsensTheSmallestAngleOfOrdinaryMeshes)
 {
   for (const SurfaceMesh& input : { icosphere(2), shapes::bumpySphere(3), cubeSphere(6),
          subdividedBox(5), shapes::shakenSheet(12, true, 0.45, 3),
-         shapes::shakenSheet(12, false, 0.3, 4), shapes::torusGrid(20, 10, 2.0, 0.7, true),
+         shapes::shakenSheet(12, false, 0.3, 4), shapes::torus(20, 10, 2.0, 0.7),
          shapes::tube(10, 6, 2.0, [](double z) { return 1.0 + 0.2 * std::sin(3.0 * z); }) })
   {
     const double before = smallestAngle(input);

@@ -5,13 +5,18 @@
 
 #include "Redistribution/TangentialVelocity.h"
 
-#include "Evolution/EvolutionShapes.h"
+#include "Checks/SurfaceMeasures.h"
 #include "Evolution/FlowRuns.h"
+#include "Mesh/Angles.h"
+#include "Mesh/MeshTopology.h"
 #include "Operators/Discretization.h"
+#include "Shapes/Tubes.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace evolving;
@@ -25,10 +30,10 @@ constexpr Index Across = 9; // odd: areas of alternate strips would have no say 
 /// A torus of quads whose circles along the ring are at the given angles of the tube.
 SurfaceMesh torusAt(const Eigen::VectorXd& angles)
 {
-  SurfaceMesh mesh = shapes::torusGrid(Around, Across, 2.0, 0.8, false);
+  SurfaceMesh mesh = shapes::quadTorus(Around, Across, 2.0, 0.8);
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
   {
-    const double u = 2.0 * shapes::Pi * static_cast<double>(i / Across) / Around;
+    const double u = 2.0 * Pi * static_cast<double>(i / Across) / Around;
     const double v = angles[static_cast<Eigen::Index>(i % Across)];
     const double r = 2.0 + 0.8 * std::cos(v);
     mesh.points[i] = Vec3(r * std::cos(u), r * std::sin(u), 0.8 * std::sin(v));
@@ -38,7 +43,7 @@ SurfaceMesh torusAt(const Eigen::VectorXd& angles)
 
 Eigen::VectorXd evenAngles()
 {
-  return Eigen::VectorXd::LinSpaced(Across, 0.0, 2.0 * shapes::Pi * (Across - 1) / Across);
+  return Eigen::VectorXd::LinSpaced(Across, 0.0, 2.0 * Pi * (Across - 1) / Across);
 }
 
 /// Of the circles after the first: co-volume over the mean, minus one.
@@ -136,7 +141,7 @@ TEST(RegularSurfaces, AnIcosahedronDoesNotMoveTangentially)
 TEST(RegularSurfaces, ATorusOfEqualAreasDoesNotMoveByVolume)
 {
   const SurfaceMesh even = torusAt(anglesOfEqualAreas());
-  EXPECT_LT(shapes::relativeSpread(Discretization(even).volumes.coVolumes()), 1e-14);
+  EXPECT_LT(checks::relativeSpread(Discretization(even).volumes.coVolumes()), 1e-14);
   EXPECT_LT(largest(tangentialVelocity(even, 0.0, rates(1.0, 0.0, 0.0))), 1e-12);
   const SurfaceMesh uneven = torusAt(evenAngles());
   EXPECT_GT(largest(tangentialVelocity(uneven, 0.0, rates(1.0, 0.0, 0.0))), 0.01);

@@ -1,11 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Mesh/Angles.h"
+#include "Mesh/MeshTopology.h"
 #include "Redistribution/SurfaceCurves.h"
-
-#include "Evolution/EvolutionShapes.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Tubes.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace evolving;
 
@@ -75,7 +80,7 @@ TEST(SurfaceCurves, SlidingStaysOnThePolylineAndKeepsTheOrder)
   {
     curves.slide(velocity, 0.1, positions, points);
   }
-  const double apothem = std::cos(shapes::Pi / 12.0);
+  const double apothem = std::cos(Pi / 12.0);
   for (const VertexChain& chain : curves.chains())
   {
     double turned = 0.0;
@@ -88,7 +93,7 @@ TEST(SurfaceCurves, SlidingStaysOnThePolylineAndKeepsTheOrder)
       EXPECT_GE(p.head<2>().norm(), apothem - 1e-12);
       turned += std::atan2(p.cross(q).z(), p.head<2>().dot(q.head<2>()));
     }
-    EXPECT_NEAR(std::abs(turned), 2.0 * shapes::Pi, 1e-9); // once round, in order
+    EXPECT_NEAR(std::abs(turned), 2.0 * Pi, 1e-9); // once round, in order
   }
 }
 

@@ -3,16 +3,21 @@
 
 #include "Redistribution/SurfaceRedistribution.h"
 
+#include "Checks/SurfaceMeasures.h"
 #include "Errors.h"
-#include "Evolution/EvolutionShapes.h"
 #include "Mesh/MeshQuality.h"
 #include "Mesh/MeshTopology.h"
 #include "Redistribution/SurfaceProjector.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 #include "ThreadedExecution.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace evolving;
 
@@ -71,8 +76,8 @@ TEST(SurfaceRedistribution, VolumeMakesAreasEqual)
   const auto result = redistributeSurface(input, options);
   const auto start = redistributeSurface(input, only(0.0, 0.0, 0.0));
   EXPECT_TRUE(start.mesh.points == input.points); // nothing switched on: same bits
-  EXPECT_LT(shapes::relativeSpread(result.arrays.coVolume),
-    0.15 * shapes::relativeSpread(start.arrays.coVolume));
+  EXPECT_LT(checks::relativeSpread(result.arrays.coVolume),
+    0.15 * checks::relativeSpread(start.arrays.coVolume));
 }
 
 TEST(SurfaceRedistribution, CurvatureControlMakesTipsFiner)
@@ -171,7 +176,7 @@ TEST(SurfaceRedistribution, LengthEvensOutABoundary)
     {
       lengths.push_back((mesh.points[(i + 1) % 24] - mesh.points[i]).norm());
     }
-    return shapes::relativeSpread(lengths);
+    return checks::relativeSpread(lengths);
   };
   EXPECT_LT(spread(result.mesh), 0.25 * spread(input));
 }

@@ -1,11 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Mesh/MeshTopology.h"
 #include "Redistribution/TangentialVelocity.h"
-
-#include "Evolution/EvolutionShapes.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 using namespace evolving;
 
@@ -59,7 +64,7 @@ RedistributionOptions allThree()
 TEST(TangentialVelocity, IsOrthogonalToTheNormals)
 {
   for (const SurfaceMesh& mesh :
-    { shapes::bumpySphere(3), cubeSphere(6), shapes::torusGrid(12, 8, 2.0, 0.8, false) })
+    { shapes::bumpySphere(3), cubeSphere(6), shapes::quadTorus(12, 8, 2.0, 0.8) })
   {
     const Surface s(mesh);
     double largest = 0.0;

@@ -3,7 +3,7 @@
 
 #include "Redistribution/VanishedComponents.h"
 
-#include "Evolution/EvolutionShapes.h"
+#include "Shapes/MeshVariants.h"
 #include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(VanishedComponents, ThereIsNoSmallestOfNone)
 TEST(VanishedComponents, OneOfTwoThatHasShrunkIsKnown)
 {
   const SurfaceMesh start =
-    shapes::together(icosphere(1), shapes::transformed(icosphere(1), 0.5, Vec3(3.0, 0.0, 0.0)));
+    shapes::merged(icosphere(1), shapes::transformed(icosphere(1), 0.5, Vec3(3.0, 0.0, 0.0)));
   const MeshTopology topology(start);
   VanishedComponents vanished(start, topology);
   EXPECT_NEAR(vanished.smallestStartArea(), 0.25 * surfaceArea(icosphere(1)), 1e-12);

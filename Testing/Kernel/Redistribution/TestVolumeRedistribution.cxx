@@ -3,11 +3,13 @@
 
 #include "Redistribution/VolumeRedistribution.h"
 
-#include "Evolution/EvolutionShapes.h"
-#include "Evolution/RoundShapes.h"
 #include "Evolution/SemiImplicitStep.h"
 #include "Redistribution/CurvatureDensity.h"
 #include "Redistribution/MeasuredSurface.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/MixedPolygons.h"
+#include "Shapes/Spheres.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -75,8 +77,8 @@ std::vector<Vec3> someVelocity(const SurfaceMesh& mesh)
 TEST(VolumeRedistribution, RightHandSideSumsToZeroOverEveryComponent)
 {
   // Triangles, mixed polygons, and a surface with boundary.
-  const Surface s(shapes::together(shapes::bumpySphere(3),
-    shapes::together(shapes::transformed(shapes::mixedSphere(2), 0.3, Vec3(5, 0, 0)),
+  const Surface s(shapes::merged(shapes::bumpySphere(3),
+    shapes::merged(shapes::transformed(shapes::mixedSphere(2), 0.3, Vec3(5, 0, 0)),
       shapes::transformed(shapes::halfSphere(6), 1.0, Vec3(0, 5, 0)))));
   const auto components = static_cast<std::size_t>(s.topology.componentCount());
   ASSERT_EQ(components, 3u);
@@ -166,7 +168,7 @@ TEST(VolumeRedistribution, ComponentsDoNotKnowEachOther)
 {
   const SurfaceMesh first = shapes::bumpySphere(2);
   const Surface alone(first);
-  const Surface both(shapes::together(first, shapes::transformed(first, 10.0, Vec3(50, 0, 0))));
+  const Surface both(shapes::merged(first, shapes::transformed(first, 10.0, Vec3(50, 0, 0))));
   RedistributionOptions options;
   options.volume = 2.0;
   const auto velocity = [&](const Surface& s)

@@ -106,32 +106,37 @@ inline void expectSound(const EditableSurface& surface, const Kind& kind)
   ASSERT_FALSE(hasTwinFaces(mesh));
 }
 
+/// The numbers below a count that are in use.
+template <typename IsUsed>
+std::vector<Index> usedOf(Index count, const IsUsed& isUsed)
+{
+  std::vector<Index> used;
+  for (Index i = 0; i < count; ++i)
+  {
+    if (isUsed(i))
+    {
+      used.push_back(i);
+    }
+  }
+  return used;
+}
+
 /// The live half-edges.
 inline std::vector<Index> edgesOf(const EditableSurface& surface)
 {
-  std::vector<Index> edges;
-  for (Index e = 0; e < surface.edgeSlots(); ++e)
-  {
-    if (surface.hasEdge(e))
-    {
-      edges.push_back(e);
-    }
-  }
-  return edges;
+  return usedOf(surface.edgeSlots(), [&](Index e) { return surface.hasEdge(e); });
 }
 
 /// The live vertices.
 inline std::vector<Index> verticesOf(const EditableSurface& surface)
 {
-  std::vector<Index> vertices;
-  for (Index v = 0; v < surface.vertexSlots(); ++v)
-  {
-    if (surface.hasVertex(v))
-    {
-      vertices.push_back(v);
-    }
-  }
-  return vertices;
+  return usedOf(surface.vertexSlots(), [&](Index v) { return surface.hasVertex(v); });
+}
+
+/// The live faces.
+inline std::vector<Index> facesOf(const EditableSurface& surface)
+{
+  return usedOf(surface.faceSlots(), [&](Index f) { return surface.hasFace(f); });
 }
 
 /// The half-edge between two vertices; NoIndex when there is none.

@@ -3,59 +3,23 @@
 
 /**
  * @file
- * Surfaces of triangles to remesh, and how good their elements are.
+ * Surfaces with sizes to remesh, and how good their elements are.
  */
 
 #ifndef EVOLVING_REMESHING_SHAPES_H
 #define EVOLVING_REMESHING_SHAPES_H
 
-#include "Evolution/EvolutionShapes.h"
-#include "Evolution/RoundShapes.h"
-#include "Mesh/MeshQuality.h"
 #include "Mesh/SurfaceMesh.h"
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/ReferenceSurface.h"
 #include "Remeshing/SizingField.h"
-#include "StartSurface/PrimitiveSurfaces.h"
-#include "StartSurface/QuadSplitting.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 
 namespace evolving::shapes
 {
-
-/// All vertices moved by up to `amount` along each axis.
-inline SurfaceMesh shaken(SurfaceMesh mesh, double amount, unsigned seed)
-{
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> shift(-amount, amount);
-  for (Vec3& p : mesh.points)
-  {
-    p += Vec3(shift(random), shift(random), shift(random));
-  }
-  return mesh;
-}
-
-/// A unit sphere whose vertices, all on it, have moved by up to a fraction of the edge length.
-inline SurfaceMesh shakenSphere(int level, double fraction, unsigned seed)
-{
-  const SurfaceMesh sphere = icosphere(level);
-  SurfaceMesh mesh = shaken(sphere, fraction * meanEdgeLength(sphere), seed);
-  for (Vec3& p : mesh.points)
-  {
-    p.normalize();
-  }
-  return mesh;
-}
-
-/// The box from -halfSides to halfSides, triangles.
-inline SurfaceMesh triangleBox(int divisions, const Vec3& halfSides)
-{
-  return splitQuads(subdividedBox(divisions, halfSides));
-}
 
 /// A surface with the same size everywhere.
 inline EditableSurface sized(const SurfaceMesh& mesh, double size)

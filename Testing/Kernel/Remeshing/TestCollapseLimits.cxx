@@ -1,9 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Mesh/Angles.h"
 #include "Remeshing/EdgeCollapsing.h"
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -69,7 +73,7 @@ TEST(CollapseLimits, ABoundaryIsCutLittle)
   const double size = 0.3;
   EditableSurface disc = shapes::sized(shapes::disc(20), size);
   EXPECT_GT(collapseShortEdges(disc, 0.8), 1000);
-  EXPECT_GT(surfaceArea(disc.mesh()), shapes::Pi * (1.0 - 0.1 * size) * (1.0 - 0.1 * size));
+  EXPECT_GT(surfaceArea(disc.mesh()), Pi * (1.0 - 0.1 * size) * (1.0 - 0.1 * size));
 }
 
 TEST(CollapseLimits, BothEndsOfABoundaryEdgeCanStay)

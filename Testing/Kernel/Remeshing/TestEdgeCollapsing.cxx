@@ -7,6 +7,10 @@
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/FaceShape.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 

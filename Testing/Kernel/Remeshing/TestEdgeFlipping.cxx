@@ -3,10 +3,16 @@
 
 #include "Remeshing/EdgeFlipping.h"
 
+#include "Mesh/Angles.h"
 #include "Mesh/MeshQuality.h"
-#include "Mesh/MeshVariants.h"
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -21,6 +27,8 @@ namespace
 {
 
 using namespace evolving;
+
+using namespace evolving::shapes;
 using namespace evolving::editing;
 
 /// The sum of squared deviations from the best valences.
@@ -93,7 +101,7 @@ TEST(EdgeFlipping, BringsValencesBack)
 
 TEST(EdgeFlipping, LeavesRegularValencesAlone)
 {
-  for (const SurfaceMesh& mesh : { icosphere(3), shapes::torusGrid(18, 9, 2.0, 0.7, true) })
+  for (const SurfaceMesh& mesh : { icosphere(3), shapes::torus(18, 9, 2.0, 0.7) })
   {
     EditableSurface surface(mesh);
     EXPECT_EQ(flipForValences(surface), 0);
@@ -119,7 +127,7 @@ TEST(EdgeFlipping, FindsTheDelaunayTriangulationOfAPlane)
         const Vec3 b = sheet.point(sheet.to(half)) - sheet.point(sheet.apex(half));
         return std::atan2(a.cross(b).norm(), a.dot(b));
       };
-      EXPECT_LE(angle(e) + angle(sheet.opposite(e)), shapes::Pi + 1e-9);
+      EXPECT_LE(angle(e) + angle(sheet.opposite(e)), Pi + 1e-9);
     }
   }
 }

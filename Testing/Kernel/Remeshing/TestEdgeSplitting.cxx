@@ -5,6 +5,11 @@
 
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +25,7 @@ using namespace evolving::editing;
 TEST(EdgeSplitting, LeavesNoLongEdge)
 {
   for (const SurfaceMesh& mesh :
-    { icosphere(1), shapes::torusGrid(12, 5, 2.0, 0.5, true), shapes::shakenSheet(4, true, 0.3, 1),
+    { icosphere(1), shapes::torus(12, 5, 2.0, 0.5), shapes::shakenSheet(4, true, 0.3, 1),
       shapes::tube(7, 3, 2.0, [](double) { return 1.0; }) })
   {
     for (const double ratio : { 1.0, 4.0 / 3.0, 1.5 })

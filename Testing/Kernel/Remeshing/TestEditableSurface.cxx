@@ -4,9 +4,12 @@
 #include "Remeshing/EditableSurface.h"
 
 #include "Errors.h"
-#include "Mesh/TestShapes.h"
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Tubes.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +19,8 @@ namespace
 {
 
 using namespace evolving;
+
+using namespace evolving::shapes;
 using namespace evolving::editing;
 
 TEST(EditableSurface, RefusesOtherThanTriangles)
@@ -35,7 +40,7 @@ TEST(EditableSurface, RefusesNonManifolds)
 TEST(EditableSurface, GivesTheMeshBack)
 {
   for (const SurfaceMesh& mesh :
-    { icosphere(2), shapes::torusGrid(9, 6, 2.0, 0.7, true), shapes::sheet(4, true) })
+    { icosphere(2), shapes::torus(9, 6, 2.0, 0.7), shapes::sheet(4, true) })
   {
     const EditableSurface surface(mesh);
     expectSound(surface, kindOf(mesh));

@@ -6,10 +6,13 @@
 #include "Errors.h"
 #include "MemoryCount.h"
 #include "Mesh/MeshQuality.h"
-#include "Mesh/MeshVariants.h"
 #include "Mesh/SelfIntersections.h"
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -25,6 +28,7 @@ namespace
 
 using namespace evolving;
 using namespace evolving::editing;
+using namespace evolving::shapes;
 
 constexpr double Sound = 42.0;
 

@@ -3,8 +3,8 @@
 
 #include "Remeshing/FaceShape.h"
 
-#include "Mesh/MeshVariants.h"
 #include "Remeshing/Barycentric.h"
+#include "Shapes/MeshVariants.h"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +16,8 @@ namespace
 {
 
 using namespace evolving;
+
+using namespace evolving::shapes;
 
 double angleAt(const Vec3& a, const Vec3& b, const Vec3& c)
 {

@@ -3,10 +3,14 @@
 
 #include "Remeshing/IntersectionFreeStages.h"
 
+#include "Mesh/MeshQuality.h"
 #include "Mesh/SelfIntersections.h"
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/FaceShape.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 

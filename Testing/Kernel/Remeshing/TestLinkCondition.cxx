@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Errors.h"
-#include "Mesh/TestShapes.h"
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Tubes.h"
+#include "StartSurface/PrimitiveSurfaces.h"
+#include "StartSurface/QuadSplitting.h"
 
 #include <gtest/gtest.h>
 
@@ -18,6 +23,8 @@ namespace
 {
 
 using namespace evolving;
+
+using namespace evolving::shapes;
 using namespace evolving::editing;
 
 /// The triangles as lists of vertices, each from its smallest on; in order.
@@ -151,11 +158,11 @@ void expectFlipsAsOnLists(const SurfaceMesh& mesh)
 std::vector<SurfaceMesh> smallSurfaces()
 {
   std::vector<SurfaceMesh> meshes = { cornerTetrahedron(), icosphere(0), icosphere(1),
-    shapes::torusGrid(3, 3, 2.0, 0.7, true), shapes::torusGrid(4, 3, 2.0, 0.7, true),
-    shapes::torusGrid(5, 4, 2.0, 0.7, true), shapes::sheet(1, true), shapes::sheet(2, true),
-    shapes::sheet(3, true), shapes::disc(1), shapes::disc(2), splitQuads(annulus(3)),
-    splitQuads(annulus(4)), splitQuads(unitCube()), splitQuads(slabWithHoles(1)) };
-  meshes.push_back(shapes::together(cornerTetrahedron(), shapes::sheet(2, true)));
+    shapes::torus(3, 3, 2.0, 0.7), shapes::torus(4, 3, 2.0, 0.7), shapes::torus(5, 4, 2.0, 0.7),
+    shapes::sheet(1, true), shapes::sheet(2, true), shapes::sheet(3, true), shapes::disc(1),
+    shapes::disc(2), splitQuads(annulus(3)), splitQuads(annulus(4)), splitQuads(unitCube()),
+    splitQuads(slabWithHoles(1)) };
+  meshes.push_back(shapes::merged(cornerTetrahedron(), shapes::sheet(2, true)));
   meshes.push_back(makeMesh({ Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY() }, { { 0, 1, 2 } }));
   // Two pyramids over a triangle.
   meshes.push_back(
@@ -229,7 +236,7 @@ TEST(LinkCondition, TwoBoundariesAreNotPinched)
 TEST(LinkCondition, AThirdCommonNeighbourRefuses)
 {
   // The tube of this torus has three vertices around: any two have the third as neighbour.
-  const EditableSurface surface(shapes::torusGrid(12, 3, 2.0, 0.7, true));
+  const EditableSurface surface(shapes::torus(12, 3, 2.0, 0.7));
   EXPECT_FALSE(surface.canCollapse(edgeBetween(surface, 0, 1)));
   EXPECT_FALSE(surface.canCollapse(edgeBetween(surface, 1, 2)));
   EXPECT_TRUE(surface.canCollapse(edgeBetween(surface, 0, 3)));

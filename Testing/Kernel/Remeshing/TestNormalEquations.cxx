@@ -4,6 +4,7 @@
 #include "Remeshing/NormalEquations.h"
 
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/Polyhedra.h"
 #include "ThreadedExecution.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +45,7 @@ std::vector<Index> someUnknowns(const EditableSurface& surface, Index perVertex)
   return unknowns;
 }
 
-SurfaceMesh box()
+SurfaceMesh cube()
 {
   return shapes::triangleBox(3, Vec3(1.0, 1.0, 1.0));
 }
@@ -52,7 +53,7 @@ SurfaceMesh box()
 SurfaceMesh boxWithHole()
 {
   SurfaceMesh open;
-  const SurfaceMesh closed = box();
+  const SurfaceMesh closed = cube();
   open.points = closed.points;
   for (Index f = 2; f < closed.faceCount(); ++f)
   {
@@ -68,7 +69,7 @@ class NormalEquationsOf : public testing::TestWithParam<Index>
 TEST_P(NormalEquationsOf, FacesAreTheirSum)
 {
   const Index perVertex = GetParam();
-  for (const SurfaceMesh& mesh : { box(), boxWithHole() })
+  for (const SurfaceMesh& mesh : { cube(), boxWithHole() })
   {
     const EditableSurface surface = shapes::sized(mesh, 0.5);
     const auto unknowns = someUnknowns(surface, perVertex);
@@ -117,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(Unknowns, NormalEquationsOf, testing::Values(1, 2, 3));
 
 TEST(NormalEquations, AreEmptyWithoutUnknowns)
 {
-  const EditableSurface surface = shapes::sized(box(), 0.5);
+  const EditableSurface surface = shapes::sized(cube(), 0.5);
   const std::vector<Index> none(static_cast<std::size_t>(surface.vertexSlots()), NoIndex);
   NormalEquations equations(surface, none, 3);
   equations.assemble(someTerms(surface.faceSlots()), {});

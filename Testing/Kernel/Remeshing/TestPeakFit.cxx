@@ -3,10 +3,15 @@
 
 #include "Remeshing/PeakFit.h"
 
+#include "Checks/SurfaceMeasures.h"
 #include "Mesh/MeshQuality.h"
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Remeshing/SizingField.h"
 #include "Remeshing/TargetSamples.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 #include "ThreadedExecution.h"
 #include "Trees/AABBTree.h"
 
@@ -23,6 +28,9 @@ using namespace evolving;
 using namespace evolving::editing;
 
 constexpr double Slope = 0.5;
+
+/// Of the samples by which deviations are measured.
+constexpr double Spacing = 0.03;
 
 /// A cone over the unit disc, its tip at height Slope.
 SurfaceMesh cone(Index rings)
@@ -43,27 +51,16 @@ EditableSurface bluntCone()
   return shapes::sized(mesh, 0.25);
 }
 
-double farthest(const SurfaceMesh& from, const SurfaceMesh& to)
-{
-  const AABBTree tree(to);
-  double squared = 0.0;
-  for (const Vec3& sample : samplesOf(from, 0.03))
-  {
-    squared = std::max(squared, tree.closest(sample).at.squaredDistance);
-  }
-  return std::sqrt(squared);
-}
-
 TEST(PeakFit, ReachesATip)
 {
   const SurfaceMesh target = cone(24);
   EditableSurface surface = bluntCone();
-  const double forth = farthest(target, surface.mesh());
-  const double back = farthest(surface.mesh(), target);
+  const double forth = checks::farthest(target, surface.mesh(), Spacing);
+  const double back = checks::farthest(surface.mesh(), target, Spacing);
   EXPECT_EQ(fitPeaks(surface, OffsetReference(target, 0.0), samplesOf(target, 0.05), {}), 1);
   EXPECT_LT((surface.point(0) - Vec3(0.0, 0.0, Slope)).norm(), 0.02);
-  EXPECT_LT(farthest(target, surface.mesh()), 0.5 * forth);
-  EXPECT_LT(farthest(surface.mesh(), target), 0.5 * back);
+  EXPECT_LT(checks::farthest(target, surface.mesh(), Spacing), 0.5 * forth);
+  EXPECT_LT(checks::farthest(surface.mesh(), target, Spacing), 0.5 * back);
 }
 
 TEST(PeakFit, LeavesAFittedSurfaceAlone)
@@ -111,7 +108,8 @@ TEST(PeakFit, AnglesStayAboveTheirBound)
     const Index moved = fitPeaks(surface, reference, samplesOf(target, 0.08), options);
     EXPECT_GT(moved, bound < 50.0 ? 20 : 0);
     EXPECT_GE(smallestAngle(surface.mesh()), std::min(before, bound) - 1e-9);
-    EXPECT_LE(farthest(target, surface.mesh()), farthest(target, icosphere(3)));
+    EXPECT_LE(checks::farthest(target, surface.mesh(), Spacing),
+      checks::farthest(target, icosphere(3), Spacing));
     expectSound(surface, { 2, 0, 1 });
   }
 }

@@ -3,9 +3,14 @@
 
 #include "Remeshing/PointFit.h"
 
+#include "Checks/SurfaceMeasures.h"
+#include "Mesh/MeshQuality.h"
 #include "Mesh/SelfIntersections.h"
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Spheres.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 #include "ThreadedExecution.h"
 #include "Trees/AABBTree.h"
 
@@ -47,18 +52,6 @@ std::vector<Vec3> spherePoints(int count)
   return spherePoints(count, [](const Vec3&) { return true; });
 }
 
-/// Root mean square of the distances of points from a surface.
-double rmsDistance(const std::vector<Vec3>& points, const EditableSurface& surface)
-{
-  const AABBTree tree(surface.mesh());
-  double squares = 0.0;
-  for (const Vec3& p : points)
-  {
-    squares += tree.closest(p).at.squaredDistance;
-  }
-  return std::sqrt(squares / static_cast<double>(points.size()));
-}
-
 EditableSurface inflatedSphere(int level)
 {
   const SurfaceMesh mesh = shapes::transformed(icosphere(level), 1.05, Vec3(0.02, -0.01, 0.03));
@@ -75,7 +68,7 @@ TEST(PointFit, ReachesTheSphereOfItsPointsWithSecondOrder)
     EditableSurface surface = inflatedSphere(level);
     const double unit = std::pow(surface.size(0), 2.0);
     fitToPoints(surface, points, Soft, 6);
-    const double rms = rmsDistance(points, surface);
+    const double rms = checks::rmsDistance(points, surface.mesh());
     EXPECT_LT(rms, 0.036 * unit);
     EXPECT_GT(rms, 0.028 * unit);
     if (last > 0.0)
@@ -96,10 +89,10 @@ TEST(PointFit, ReachesAnEllipsoid)
   }
   const SurfaceMesh near = shapes::ellipsoid(3, 1.04 * axes);
   EditableSurface surface = shapes::sized(near, meanEdgeLength(near));
-  const double before = rmsDistance(points, surface);
+  const double before = checks::rmsDistance(points, surface.mesh());
   fitToPoints(surface, points, Soft, 6);
   EXPECT_GT(before, 0.03);
-  EXPECT_LT(rmsDistance(points, surface), 0.0015);
+  EXPECT_LT(checks::rmsDistance(points, surface.mesh()), 0.0015);
   EXPECT_TRUE(selfIntersections(surface.mesh()).empty());
 }
 

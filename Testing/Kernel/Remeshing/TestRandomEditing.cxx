@@ -1,10 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Mesh/TestShapes.h"
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Tubes.h"
+#include "StartSurface/PrimitiveSurfaces.h"
+#include "StartSurface/QuadSplitting.h"
 
 #include <gtest/gtest.h>
 
@@ -17,6 +22,8 @@ namespace
 {
 
 using namespace evolving;
+
+using namespace evolving::shapes;
 using namespace evolving::editing;
 
 /// Splits, flips and collapses at random places, so that the number of faces stays about the same.
@@ -196,8 +203,8 @@ TEST(RandomEditing, KeepsSpheres)
 
 TEST(RandomEditing, KeepsTori)
 {
-  expectSoundUnderEdits(shapes::torusGrid(16, 8, 2.0, 0.7, true), 3);
-  expectSoundUnderEdits(splitQuads(torus(7, 5, 2.0, 0.7)), 4);
+  expectSoundUnderEdits(shapes::torus(16, 8, 2.0, 0.7), 3);
+  expectSoundUnderEdits(splitQuads(quadTorus(7, 5, 2.0, 0.7)), 4);
 }
 
 TEST(RandomEditing, KeepsHigherGenus)
@@ -215,8 +222,8 @@ TEST(RandomEditing, KeepsBoundaries)
 
 TEST(RandomEditing, KeepsComponentsApart)
 {
-  const SurfaceMesh spheres = shapes::together(icosphere(1), icosphere(2, 3.0));
-  expectSoundUnderEdits(shapes::together(spheres, shapes::disc(4)), 9);
+  const SurfaceMesh spheres = shapes::merged(icosphere(1), icosphere(2, 3.0));
+  expectSoundUnderEdits(shapes::merged(spheres, shapes::disc(4)), 9);
 }
 
 } // namespace

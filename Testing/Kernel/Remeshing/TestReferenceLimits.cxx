@@ -4,6 +4,7 @@
 #include "Remeshing/CurvedReference.h"
 #include "Remeshing/ReferenceSurface.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,10 @@
 #include "Remeshing/ReferenceSurface.h"
 #include "Remeshing/Remeshing.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
+#include "StartSurface/PrimitiveSurfaces.h"
+#include "Trees/AABBTree.h"
 
 #include <gtest/gtest.h>
 

@@ -10,6 +10,11 @@
 #include "Remeshing/RemeshingShapes.h"
 #include "Remeshing/StarOptimization.h"
 #include "Remeshing/SurfaceFit.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 #include "ThreadedExecution.h"
 
 #include <gtest/gtest.h>
@@ -64,10 +69,10 @@ TEST(Remeshing, GivesASphereGoodElements)
 
 TEST(Remeshing, GivesATorusGoodElements)
 {
-  const SurfaceMesh target = shapes::torusGrid(160, 70, 2.0, 0.7, true);
+  const SurfaceMesh target = shapes::torus(160, 70, 2.0, 0.7);
   for (const unsigned seed : { 1U, 2U, 3U })
   {
-    const SurfaceMesh mesh = shapes::shaken(shapes::torusGrid(30, 16, 2.0, 0.7, true), 0.03, seed);
+    const SurfaceMesh mesh = shapes::shaken(shapes::torus(30, 16, 2.0, 0.7), 0.03, seed);
     for (const double size : { 0.15, 0.2, 0.31 })
     {
       expectGoodElements(remeshed(mesh, target, size, 5), { 0, 0, 1 });

@@ -12,6 +12,8 @@
 #include "Remeshing/StarOptimization.h"
 #include "Remeshing/SurfaceFit.h"
 #include "Remeshing/TargetSamples.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
 #include "Trees/AABBTree.h"
 
 #include <gtest/gtest.h>

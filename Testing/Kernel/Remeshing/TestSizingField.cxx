@@ -3,11 +3,18 @@
 
 #include "Remeshing/SizingField.h"
 
+#include "Mesh/MeshQuality.h"
 #include "Remeshing/CurvedReference.h"
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/ReferenceSurface.h"
 #include "Remeshing/Remeshing.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -207,8 +214,7 @@ TEST(SizingField, GivesTheWantedNumberOfVertices)
 {
   EXPECT_NEAR(
     countAfterRemeshing(shapes::ellipsoid(4, Vec3(1.0, 1.0, 4.0)), 1.0, 1000.0), 1000, 100);
-  EXPECT_NEAR(
-    countAfterRemeshing(shapes::torusGrid(60, 24, 2.0, 0.7, true), 0.8, 1500.0), 1500, 150);
+  EXPECT_NEAR(countAfterRemeshing(shapes::torus(60, 24, 2.0, 0.7), 0.8, 1500.0), 1500, 150);
 }
 
 TEST(SizingField, FindsTheErrorForAVertexCount)

@@ -7,6 +7,10 @@
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/ReferenceSurface.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Spheres.h"
+#include "StartSurface/PrimitiveSurfaces.h"
+#include "StartSurface/QuadSplitting.h"
 #include "ThreadedExecution.h"
 
 #include <gtest/gtest.h>

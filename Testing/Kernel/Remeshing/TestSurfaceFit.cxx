@@ -3,9 +3,13 @@
 
 #include "Remeshing/SurfaceFit.h"
 
+#include "Mesh/MeshQuality.h"
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/ReferenceSurface.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 #include "ThreadedExecution.h"
 
 #include <gtest/gtest.h>

@@ -6,6 +6,8 @@
 #include "Remeshing/EdgeCollapsing.h"
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
 

@@ -5,11 +5,15 @@
 
 #include "Remeshing/Barycentric.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Spheres.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 #include "Trees/AABBTree.h"
 #include "Trees/TriangleGeometry.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>

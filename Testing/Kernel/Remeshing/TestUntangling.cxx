@@ -6,6 +6,7 @@
 #include "Mesh/SelfIntersections.h"
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/Polyhedra.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,11 @@
 #include "Remeshing/VertexBudget.h"
 
 #include "Errors.h"
+#include "Mesh/Angles.h"
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/RemeshingShapes.h"
 #include "Remeshing/SizingField.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +28,7 @@ TEST(VertexBudget, IsWhatTheAreaNeeds)
   setUniformSizes(sphere, 0.1);
   // 2 A / (sqrt(3) s^2), with a little less area than the sphere's.
   const double vertices = expectedVertices(sphere);
-  EXPECT_NEAR(vertices, 4.0 * std::acos(-1.0) * 2.0 / (std::sqrt(3.0) * 0.01), 20.0);
+  EXPECT_NEAR(vertices, 4.0 * Pi * 2.0 / (std::sqrt(3.0) * 0.01), 20.0);
   EXPECT_NO_THROW(requireFewVertices(sphere, 0.1, 1.001 * vertices));
   EXPECT_THROW(requireFewVertices(sphere, 0.1, 0.999 * vertices), InputError);
 }

@@ -9,7 +9,7 @@
 #ifndef EVOLVING_FEATURE_WRAPS_H
 #define EVOLVING_FEATURE_WRAPS_H
 
-#include "Distance/DistanceShapes.h"
+#include "Shapes/Polyhedra.h"
 #include "ShrinkWrap/Shortcomings.h"
 #include "ShrinkWrap/WrapRuns.h"
 
@@ -41,9 +41,9 @@ inline ShrinkWrapOptions withFeatures(double edgeLength)
   return options;
 }
 
-inline SurfaceMesh box()
+inline SurfaceMesh brick()
 {
-  return test::box(Vec3(0, 0, 0), Vec3(1, 2, 3));
+  return shapes::box(Vec3(0, 0, 0), Vec3(1, 2, 3));
 }
 
 } // namespace evolving::wraps

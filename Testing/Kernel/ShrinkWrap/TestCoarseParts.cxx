@@ -4,6 +4,8 @@
 #include "ShrinkWrap/CoarseParts.h"
 
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -42,7 +44,7 @@ TEST(CoarseParts, AreThoseOfFewTriangles)
   const Vec3 place(10.0, 0.0, 0.0);
   const SurfaceMesh ball = icosphere(3);
   const SurfaceMesh small = shapes::transformed(tetrahedron(), 0.5, place);
-  const CoarseParts ofBoth = findCoarseParts(shapes::together(ball, small));
+  const CoarseParts ofBoth = findCoarseParts(shapes::merged(ball, small));
   EXPECT_NEAR(
     ofBoth.areaPart, surfaceArea(small) / (surfaceArea(small) + surfaceArea(ball)), 1e-15);
   EXPECT_NEAR(ofBoth.extent, 0.5 * std::sqrt(3.0), 1e-15);

@@ -3,10 +3,16 @@
 
 // Edges that are long beside the model: refused or said, with a length that helps.
 
+#include "Checks/SurfaceMeasures.h"
 #include "Errors.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Tubes.h"
 #include "ShrinkWrap/Shortcomings.h"
 #include "ShrinkWrap/WrapRuns.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -31,8 +37,8 @@ std::vector<Model> models()
   return { { "ball", ball }, { "cube", shapes::triangleBox(4, Vec3::Ones()) },
     { "sheet", shapes::sheet(8, true) }, { "bar", shapes::triangleBox(4, Vec3(1.0, 0.1, 0.1)) },
     { "plate", shapes::triangleBox(4, Vec3(1.0, 1.0, 0.05)) },
-    { "torus", shapes::torusGrid(32, 16, 1.0, 0.4, true) },
-    { "two balls", shapes::together(ball, shapes::transformed(ball, 1.0, 10.0 * Vec3::UnitX())) } };
+    { "torus", shapes::torus(32, 16, 1.0, 0.4) },
+    { "two balls", shapes::merged(ball, shapes::transformed(ball, 1.0, 10.0 * Vec3::UnitX())) } };
 }
 
 /// What became of a model with edges of a length.
@@ -67,7 +73,7 @@ bool showsShape(const SurfaceMesh& surface, const SurfaceMesh& mesh)
 {
   const double size = boundingBox(mesh).diagonal().norm();
   return surface.faceCount() > 0 && signedVolume(surface) > 0.0 &&
-    wraps::hausdorff(surface, mesh, 0.02 * size) < 0.1 * size;
+    checks::hausdorff(surface, mesh, 0.02 * size) < 0.1 * size;
 }
 
 /// The number that a sentence advises, the smallest where there are several; 0 without any.

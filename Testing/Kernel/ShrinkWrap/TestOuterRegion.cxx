@@ -4,15 +4,16 @@
 #include "ShrinkWrap/OuterRegion.h"
 
 #include "Evolution/EvolutionFields.h"
-#include "Mesh/HoleyShapes.h"
+#include "Mesh/Angles.h"
 #include "Mesh/SelfIntersections.h"
 #include "Mesh/TopologySummary.h"
-#include "SampledOnGrid.h"
+#include "Shapes/SampledOnGrid.h"
 #include "ThreadedExecution.h"
 #include "Trees/AABBTree.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -22,6 +23,8 @@ namespace
 {
 
 using namespace evolving;
+
+using namespace evolving::shapes;
 
 constexpr double Radius = 0.2;
 
@@ -92,7 +95,7 @@ TEST(OuterRegion, TheBallEntersAHoleThatIsWiderThanItself)
   const SurfaceMesh bowl = wide.boundary();
   EXPECT_EQ(summarizeTopology(bowl).components, 1);
   EXPECT_EQ(summarizeTopology(bowl).genus(), 0);
-  const double shell = 4.0 / 3.0 * std::acos(-1.0) * (std::pow(1.2, 3) - std::pow(0.8, 3));
+  const double shell = 4.0 / 3.0 * Pi * (std::pow(1.2, 3) - std::pow(0.8, 3));
   EXPECT_LT(signedVolume(bowl), shell);
   EXPECT_GT(signedVolume(bowl), 0.9 * shell);
   const OuterRegion narrow = regionAround(fromDrilledShell(std::asin(0.1)));

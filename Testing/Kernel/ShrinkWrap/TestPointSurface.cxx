@@ -3,9 +3,15 @@
 
 #include "ShrinkWrap/PointSurface.h"
 
+#include "Checks/SurfaceMeasures.h"
 #include "Errors.h"
+#include "Mesh/Angles.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
 #include "ShrinkWrap/WrapRuns.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 #include "ThreadedExecution.h"
 
 #include <gtest/gtest.h>
@@ -46,17 +52,6 @@ std::vector<Vec3> squarePoints(int count)
   return points;
 }
 
-double rmsDistance(const std::vector<Vec3>& points, const SurfaceMesh& surface)
-{
-  const AABBTree tree(surface);
-  double squares = 0.0;
-  for (const Vec3& p : points)
-  {
-    squares += tree.closest(p).at.squaredDistance;
-  }
-  return std::sqrt(squares / static_cast<double>(points.size()));
-}
-
 TEST(PointSurface, OfASphereIsNearTheSphere)
 {
   const SurfaceMesh surface = amidst(icosphere(4).points);
@@ -65,16 +60,16 @@ TEST(PointSurface, OfASphereIsNearTheSphere)
   {
     EXPECT_NEAR(p.norm(), 1.0, 0.01);
   }
-  EXPECT_NEAR(signedVolume(surface), 4.0 / 3.0 * shapes::Pi, 0.04);
+  EXPECT_NEAR(signedVolume(surface), 4.0 / 3.0 * Pi, 0.04);
 }
 
 TEST(PointSurface, OfATorusHasItsHole)
 {
-  const std::vector<Vec3> points = shapes::torusGrid(60, 24, 1.0, 0.4, true).points;
+  const std::vector<Vec3> points = shapes::torus(60, 24, 1.0, 0.4).points;
   const SurfaceMesh surface = amidst(points);
   wraps::expectSound(surface, 1);
-  EXPECT_LT(rmsDistance(points, surface), 0.01);
-  EXPECT_NEAR(signedVolume(surface), 2.0 * std::pow(shapes::Pi * 0.4, 2.0), 0.1);
+  EXPECT_LT(checks::rmsDistance(points, surface), 0.01);
+  EXPECT_NEAR(signedVolume(surface), 2.0 * std::pow(Pi * 0.4, 2.0), 0.1);
 }
 
 TEST(PointSurface, OfAPlanarPatchIsAThinWall)
@@ -98,7 +93,7 @@ TEST(PointSurface, OfAPlanarPatchIsAThinWall)
       thickest = std::max(thickest, std::abs((rotation.transpose() * p).z()));
     }
     EXPECT_LT(thickest, 1.1 * spacing);
-    EXPECT_LT(rmsDistance(points, surface), spacing);
+    EXPECT_LT(checks::rmsDistance(points, surface), spacing);
   }
 }
 
@@ -119,7 +114,7 @@ TEST(PointSurface, OrderOfThePointsDoesNotMatter)
   wraps::expectSound(other, 0);
   EXPECT_NEAR(other.vertexCount(), one.vertexCount(), 0.03 * one.vertexCount());
   EXPECT_NEAR(signedVolume(other), signedVolume(one), 1e-3 * signedVolume(one));
-  EXPECT_NEAR(rmsDistance(points, other), rmsDistance(points, one), 0.002);
+  EXPECT_NEAR(checks::rmsDistance(points, other), checks::rmsDistance(points, one), 0.002);
 }
 
 TEST(PointSurface, NoiseIsAveraged)

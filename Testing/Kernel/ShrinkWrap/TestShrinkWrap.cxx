@@ -3,11 +3,14 @@
 
 #include "ShrinkWrap/ShrinkWrap.h"
 
+#include "Checks/SurfaceMeasures.h"
 #include "Errors.h"
 #include "Evolution/SurfaceFlow.h"
 #include "Mesh/MeshQuality.h"
 #include "Mesh/TopologySummary.h"
+#include "Shapes/MeshVariants.h"
 #include "ShrinkWrap/SurfaceReport.h"
+#include "ShrinkWrap/WrapRuns.h"
 #include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
@@ -21,6 +24,7 @@ namespace
 {
 
 using namespace evolving;
+using namespace evolving::wraps;
 
 ShrinkWrapOptions coarse()
 {
@@ -29,43 +33,6 @@ ShrinkWrapOptions coarse()
   options.targetEdgeLength = 0.15;
   options.numberOfSteps = 20;
   return options;
-}
-
-SurfaceMesh wrap(const SurfaceMesh& target, const ShrinkWrapOptions& options)
-{
-  const ShrinkWrapProblem problem = prepareShrinkWrap(target, options);
-  SurfaceFlow flow(problem.start, problem.field, problem.remesher, problem.flow);
-  while (!flow.isFinished())
-  {
-    flow.step();
-  }
-  EXPECT_EQ(flow.stopReason(), "");
-  return flow.mesh();
-}
-
-/// From a sphere about the origin.
-Deviation fromSphere(double radius)
-{
-  return [radius](const Vec3& point) { return std::abs(point.norm() - radius); };
-}
-
-SurfaceMesh transformed(SurfaceMesh mesh, double scale, const Vec3& shift)
-{
-  for (Vec3& point : mesh.points)
-  {
-    point = scale * point + shift;
-  }
-  return mesh;
-}
-
-double meanRadius(const SurfaceMesh& mesh)
-{
-  double sum = 0.0;
-  for (const Vec3& point : mesh.points)
-  {
-    sum += point.norm();
-  }
-  return sum / mesh.vertexCount();
 }
 
 TEST(ShrinkWrap, WrapsASphere)
@@ -104,7 +71,7 @@ TEST(ShrinkWrap, OffsetDistanceIsKept)
   options.offsetDistance = 0.2;
   const SurfaceMesh sphere = icosphere(4);
   const SurfaceMesh result = wrap(sphere, options);
-  EXPECT_NEAR(meanRadius(result), 1.2, 0.005);
+  EXPECT_NEAR(checks::meanRadius(result), 1.2, 0.005);
   EXPECT_LT(examine(result, fromSphere(1.2)).maxDistance, 0.01);
 }
 
@@ -147,12 +114,12 @@ TEST(ShrinkWrap, DoesNotDependOnUnitsAndPlace)
   ShrinkWrapOptions scaled = coarse();
   scaled.targetEdgeLength *= 1e4;
   const Vec3 shift(3e5, -2e5, 1e5);
-  const SurfaceMesh other = wrap(transformed(sphere, 1e4, shift), scaled);
+  const SurfaceMesh other = wrap(shapes::transformed(sphere, 1e4, shift), scaled);
   // Rounding decides which of two equal edges goes first, so the elements differ; not their number
   // and what they are worth.
   EXPECT_NEAR(other.vertexCount(), result.vertexCount(), 0.05 * result.vertexCount());
-  const SurfaceReport report = examine(
-    transformed(other, 1.0, -shift), [](const Vec3& p) { return std::abs(p.norm() - 1e4); });
+  const SurfaceReport report = examine(shapes::transformed(other, 1.0, -shift),
+    [](const Vec3& p) { return std::abs(p.norm() - 1e4); });
   EXPECT_EQ(report.selfIntersections, 0);
   EXPECT_GT(report.minAngle, 44.0);
   EXPECT_LT(report.maxDistance, 0.015 * 1e4);
@@ -175,7 +142,7 @@ TEST(ShrinkWrap, WrapsPoints)
   const SurfaceReport report = examine(result, fromSphere(1.0));
   EXPECT_TRUE(report.isClosed);
   EXPECT_EQ(report.genus, 0);
-  EXPECT_NEAR(meanRadius(result), 1.0, 0.01);
+  EXPECT_NEAR(checks::meanRadius(result), 1.0, 0.01);
 }
 
 TEST(ShrinkWrap, RefusesWhatCannotBeWrapped)

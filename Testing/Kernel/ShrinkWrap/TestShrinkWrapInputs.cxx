@@ -3,11 +3,19 @@
 
 // What becomes of inputs that are no clean closed surface.
 
+#include "Checks/Refusal.h"
+#include "Checks/SurfaceMeasures.h"
 #include "Errors.h"
-#include "Mesh/HoleyShapes.h"
-#include "Mesh/MeshVariants.h"
+#include "Mesh/Angles.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/HoleyShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
+#include "Shapes/Tubes.h"
 #include "ShrinkWrap/WrapRuns.h"
+#include "StartSurface/PrimitiveSurfaces.h"
+#include "Trees/AABBTree.h"
 
 #include <gtest/gtest.h>
 
@@ -23,19 +31,13 @@ namespace
 {
 
 using namespace evolving;
-using namespace evolving::wraps;
 
-SurfaceMesh triangleOf(const Vec3& a, const Vec3& b, const Vec3& c)
-{
-  SurfaceMesh mesh;
-  mesh.points = { a, b, c };
-  mesh.addFace({ 0, 1, 2 });
-  return mesh;
-}
+using namespace evolving::shapes;
+using namespace evolving::wraps;
 
 TEST(ShrinkWrapInputs, OrientationDoesNotMatter)
 {
-  const SurfaceMesh torus = shapes::torusGrid(48, 24, 1.0, 0.4, true);
+  const SurfaceMesh torus = shapes::torus(48, 24, 1.0, 0.4);
   const SurfaceMesh result = wrap(torus, quick(0.12));
   std::mt19937 generator(3);
   SurfaceMesh mixed = torus;
@@ -50,7 +52,7 @@ TEST(ShrinkWrapInputs, OrientationDoesNotMatter)
   {
     const SurfaceMesh other = wrap(input, quick(0.12));
     expectSound(other, 1);
-    EXPECT_LT(hausdorff(other, torus, 0.05), 0.01);
+    EXPECT_LT(checks::hausdorff(other, torus, 0.05), 0.01);
     EXPECT_NEAR(signedVolume(other), signedVolume(result), 0.002 * signedVolume(result));
   }
 }
@@ -60,26 +62,26 @@ TEST(ShrinkWrapInputs, OverlappingPartsBecomeTheirUnion)
   // Two unit balls one apart: of both a lens of 5 pi / 12 is shared.
   const SurfaceMesh ball = icosphere(4);
   const SurfaceMesh other = shapes::transformed(ball, 1.0, Vec3::UnitX());
-  const SurfaceMesh result = wrap(shapes::together(ball, reversed(other)), quick(0.1, 64));
+  const SurfaceMesh result = wrap(shapes::merged(ball, reversed(other)), quick(0.1, 64));
   expectSound(result, 0);
-  EXPECT_NEAR(signedVolume(result), (8.0 / 3.0 - 5.0 / 12.0) * shapes::Pi, 0.08);
+  EXPECT_NEAR(signedVolume(result), (8.0 / 3.0 - 5.0 / 12.0) * Pi, 0.08);
 }
 
 TEST(ShrinkWrapInputs, InnerGeometryLeavesNoTrace)
 {
   const SurfaceMesh ball = icosphere(4);
-  SurfaceMesh filled = shapes::together(ball, shapes::transformed(ball, 0.5, Vec3(0.2, 0.1, 0.0)));
-  filled = shapes::together(
-    filled, shapes::transformed(shapes::sheet(4, true), 0.8, Vec3(-0.4, -0.4, 0.3)));
+  SurfaceMesh filled = shapes::merged(ball, shapes::transformed(ball, 0.5, Vec3(0.2, 0.1, 0.0)));
+  filled =
+    shapes::merged(filled, shapes::transformed(shapes::sheet(4, true), 0.8, Vec3(-0.4, -0.4, 0.3)));
   const SurfaceMesh result = wrap(filled);
   expectSound(result, 0);
-  EXPECT_LT(hausdorff(result, ball, 0.05), 0.01);
+  EXPECT_LT(checks::hausdorff(result, ball, 0.05), 0.01);
 }
 
 TEST(ShrinkWrapInputs, GapSizeDecidesWhatIsEntered)
 {
   // A bowl whose mouth is 2 sin(0.5) = 0.96 wide.
-  const SurfaceMesh bowl = testing_holes::drilledSphere({ Vec3::UnitZ() }, 0.5);
+  const SurfaceMesh bowl = shapes::drilledSphere({ Vec3::UnitZ() }, 0.5);
   ShrinkWrapOptions options = quick(0.1, 64);
   const SurfaceMesh entered = wrap(bowl, options);
   expectSound(entered, 0);
@@ -88,7 +90,7 @@ TEST(ShrinkWrapInputs, GapSizeDecidesWhatIsEntered)
   options.gapSize = 1.2;
   const SurfaceMesh closed = wrap(bowl, options);
   expectSound(closed, 0);
-  EXPECT_GT(signedVolume(closed), 0.95 * 4.0 / 3.0 * shapes::Pi);
+  EXPECT_GT(signedVolume(closed), 0.95 * 4.0 / 3.0 * Pi);
 }
 
 TEST(ShrinkWrapInputs, AnOpenSheetBecomesAThinWall)
@@ -109,8 +111,8 @@ TEST(ShrinkWrapInputs, AnOpenSheetBecomesAThinWall)
   EXPECT_NEAR(surfaceArea(result), 2.0 * surfaceArea(sheet), 2.0 * 8.0 * edge);
   EXPECT_NEAR(
     signedVolume(result), 2.0 * wall * surfaceArea(sheet), 0.4 * wall * surfaceArea(sheet));
-  EXPECT_LT(farthest(result, sheet, 0.05), 2.5 * wall);
-  EXPECT_LT(farthest(sheet, result, 0.05), 3.0 * edge); // at its corners
+  EXPECT_LT(checks::farthest(result, sheet, 0.05), 2.5 * wall);
+  EXPECT_LT(checks::farthest(sheet, result, 0.05), 3.0 * edge); // at its corners
   const AABBTree tree(sheet);
   double largest = 0.0;
   for (const Vec3& p : result.points)
@@ -124,10 +126,11 @@ TEST(ShrinkWrapInputs, AnOpenSheetBecomesAThinWall)
 
 TEST(ShrinkWrapInputs, OneTriangleBecomesAThinWall)
 {
-  const SurfaceMesh triangle = triangleOf(Vec3::Zero(), Vec3(2.0, 0.3, 0.1), Vec3(0.4, 1.8, 0.9));
+  const SurfaceMesh triangle =
+    shapes::triangleMesh(Vec3::Zero(), Vec3(2.0, 0.3, 0.1), Vec3(0.4, 1.8, 0.9));
   const SurfaceMesh result = wrap(triangle, quick(0.1, 64));
   expectSound(result, 0);
-  EXPECT_LT(farthest(result, triangle, 0.05), 2.5 * 0.03);
+  EXPECT_LT(checks::farthest(result, triangle, 0.05), 2.5 * 0.03);
   EXPECT_NEAR(surfaceArea(result), 2.0 * surfaceArea(triangle), 0.5 * surfaceArea(triangle));
 }
 
@@ -144,22 +147,14 @@ TEST(ShrinkWrapInputs, DegenerateTrianglesAndUnusedPointsAreLeftOut)
 TEST(ShrinkWrapInputs, FacesGivenTwiceChangeNothingMuch)
 {
   const SurfaceMesh ball = icosphere(3);
-  const SurfaceMesh result = wrap(shapes::together(ball, reversed(ball)), quick(0.2, 32));
+  const SurfaceMesh result = wrap(shapes::merged(ball, reversed(ball)), quick(0.2, 32));
   expectSound(result, 0);
-  EXPECT_LT(hausdorff(result, ball, 0.05), 0.02);
+  EXPECT_LT(checks::hausdorff(result, ball, 0.05), 0.02);
 }
 
 std::string refusal(const SurfaceMesh& input, const ShrinkWrapOptions& options = {})
 {
-  try
-  {
-    prepareShrinkWrap(input, options);
-  }
-  catch (const InputError& error)
-  {
-    return error.what();
-  }
-  return {};
+  return checks::refusalOf([&] { prepareShrinkWrap(input, options); });
 }
 
 TEST(ShrinkWrapInputs, WhatCannotBeWrappedIsRefusedInOneSentence)
@@ -171,15 +166,15 @@ TEST(ShrinkWrapInputs, WhatCannotBeWrappedIsRefusedInOneSentence)
   equalPoints.points = { one, one, one };
   SurfaceMesh lostPoints = equalPoints;
   lostPoints.points = { one, nowhere, far };
-  SurfaceMesh wrongNumber = triangleOf(one, Vec3::Zero(), Vec3::UnitX());
+  SurfaceMesh wrongNumber = shapes::triangleMesh(one, Vec3::Zero(), Vec3::UnitX());
   wrongNumber.cornerVertices[1] = 3;
   const std::vector<std::pair<SurfaceMesh, std::string>> cases = {
     { {}, "single point or empty" },
     { equalPoints, "single point or empty" },
-    { triangleOf(one, one, one), "single point or empty" },
-    { triangleOf(one, Vec3::Zero(), -one), "no area" },
-    { triangleOf(one, nowhere, Vec3::Zero()), "finite" },
-    { triangleOf(one, far, Vec3::Zero()), "finite" },
+    { shapes::triangleMesh(one, one, one), "single point or empty" },
+    { shapes::triangleMesh(one, Vec3::Zero(), -one), "no area" },
+    { shapes::triangleMesh(one, nowhere, Vec3::Zero()), "finite" },
+    { shapes::triangleMesh(one, far, Vec3::Zero()), "finite" },
     { lostPoints, "finite" },
     { wrongNumber, "" },
   };
@@ -199,7 +194,7 @@ TEST(ShrinkWrapInputs, FacesWithoutAreaHaveNoSidesWhateverTheEdgeLength)
   options.targetEdgeLength = 0.05;
   const Vec3 far(100.3, -99.7, 101.1);
   const Vec3 along(0.3, 0.5, 0.7);
-  const SurfaceMesh line = triangleOf(far, far + along, far + 0.3 * along);
+  const SurfaceMesh line = shapes::triangleMesh(far, far + along, far + 0.3 * along);
   EXPECT_NE(refusal(line, options).find("no area"), std::string::npos);
 }
 
@@ -215,7 +210,7 @@ TEST(ShrinkWrapInputs, TooManyElementsAreRefusedBeforeAnyIsMade)
   options.targetEdgeLength = 1e-6;
   EXPECT_NE(refusal(sphere, options).find("set TargetEdgeLength"), std::string::npos);
   // As thin as a hair: nine thousand vertices would cover its area, not the surface around it.
-  const SurfaceMesh hair = triangleOf(Vec3::Zero(), Vec3::UnitX(), Vec3(0.5, 1e-9, 0.0));
+  const SurfaceMesh hair = shapes::triangleMesh(Vec3::Zero(), Vec3::UnitX(), Vec3(0.5, 1e-9, 0.0));
   options.targetEdgeLength = 0.0;
   EXPECT_NE(refusal(hair, options).find("set TargetEdgeLength"), std::string::npos);
 }

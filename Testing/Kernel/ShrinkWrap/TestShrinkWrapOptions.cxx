@@ -4,6 +4,7 @@
 #include "ShrinkWrap/ShrinkWrapOptions.h"
 
 #include "ChangedMembers.h"
+#include "Checks/Refusal.h"
 #include "Errors.h"
 
 #include <gtest/gtest.h>
@@ -26,15 +27,7 @@ std::string complaint(const std::function<void(ShrinkWrapOptions&)>& change)
 {
   ShrinkWrapOptions options;
   change(options);
-  try
-  {
-    checkOptions(options);
-  }
-  catch (const InputError& error)
-  {
-    return error.what();
-  }
-  return {};
+  return checks::refusalOf([&] { checkOptions(options); });
 }
 
 TEST(ShrinkWrapOptions, DefaultsPass)

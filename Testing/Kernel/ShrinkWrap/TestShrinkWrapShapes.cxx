@@ -3,12 +3,19 @@
 
 // Shrink-wrapping of shapes whose distances are known, wherever they lie.
 
+#include "Checks/SurfaceMeasures.h"
 #include "Errors.h"
-#include "Features/FeatureShapes.h"
 #include "Mesh/MeshQuality.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Remeshing/TargetSamples.h"
+#include "Shapes/CreasedShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Tubes.h"
 #include "ShrinkWrap/WrapRuns.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 #include "ThreadedExecution.h"
+#include "Trees/AABBTree.h"
 
 #include <gtest/gtest.h>
 
@@ -22,21 +29,14 @@ namespace
 using namespace evolving;
 using namespace evolving::wraps;
 
-SurfaceMesh torus()
+SurfaceMesh fineTorus()
 {
-  return shapes::torusGrid(96, 48, 1.0, 0.4, true);
+  return shapes::torus(96, 48, 1.0, 0.4);
 }
 
-SurfaceMesh box()
+SurfaceMesh brick()
 {
   return shapes::triangleBox(4, Vec3(1.0, 0.8, 0.6));
-}
-
-SurfaceMesh ell()
-{
-  return test::extruded(
-    { Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(2, 1, 0), Vec3(1, 1, 0), Vec3(1, 2, 0), Vec3(0, 2, 0) },
-    1.0);
 }
 
 TEST(ShrinkWrapAccuracy, OfASphereIsOfSecondOrder)
@@ -47,7 +47,7 @@ TEST(ShrinkWrapAccuracy, OfASphereIsOfSecondOrder)
   {
     const SurfaceMesh result = wrap(sphere, quick(edge));
     expectSound(result, 0);
-    const double distance = hausdorff(result, sphere, 0.04);
+    const double distance = checks::hausdorff(result, sphere, 0.04);
     // The middle of an equilateral triangle between points of the sphere is L^2 / 6 below it, the
     // mean of it L^2 / 8: the fit takes the mean away.
     EXPECT_LT(distance, 1.2 * edge * edge / 6.0);
@@ -63,20 +63,20 @@ TEST(ShrinkWrapAccuracy, OfASphereIsOfSecondOrder)
 
 TEST(ShrinkWrapAccuracy, OfATorus)
 {
-  const SurfaceMesh result = wrap(torus(), quick(0.1, 64));
+  const SurfaceMesh result = wrap(fineTorus(), quick(0.1, 64));
   expectSound(result, 1);
   // Curvature 2.5: interpolation would be off by k L^2 / 6 = 0.0042.
-  EXPECT_LT(hausdorff(result, torus(), 0.04), 0.005);
-  EXPECT_NEAR(signedVolume(result), signedVolume(torus()), 0.002 * signedVolume(torus()));
+  EXPECT_LT(checks::hausdorff(result, fineTorus(), 0.04), 0.005);
+  EXPECT_NEAR(signedVolume(result), signedVolume(fineTorus()), 0.002 * signedVolume(fineTorus()));
 }
 
 TEST(ShrinkWrapAccuracy, OfABoxWithoutItsEdges)
 {
-  const SurfaceMesh result = wrap(box(), quick(0.1, 64));
+  const SurfaceMesh result = wrap(brick(), quick(0.1, 64));
   expectSound(result, 0);
   // An edge that a triangle cuts across: L / 2 in depth at most.
-  EXPECT_LT(hausdorff(result, box(), 0.03), 0.5 * 0.1);
-  EXPECT_NEAR(signedVolume(result), signedVolume(box()), 0.005 * signedVolume(box()));
+  EXPECT_LT(checks::hausdorff(result, brick(), 0.03), 0.5 * 0.1);
+  EXPECT_NEAR(signedVolume(result), signedVolume(brick()), 0.005 * signedVolume(brick()));
   // Beyond two elements from the edges it lies on the sides.
   double farthest = 0.0;
   for (const Vec3& p : result.points)
@@ -128,13 +128,13 @@ TEST_P(ShrinkWrapShape, IsAsGoodOnAnyScaleAnywhere)
   const SurfaceMesh& target = GetParam().mesh;
   const double diagonal = boundingBox(target).diagonal().norm();
   const SurfaceMesh result = wrap(target, quick(0.12));
-  const double error = hausdorff(result, target, 0.05);
+  const double error = checks::hausdorff(result, target, 0.05);
   const auto expectAlike = [&](const SurfaceMesh& changed, double scale)
   {
     const SurfaceMesh other = wrap(changed, quick(0.12 * scale));
     expectSound(other, GetParam().genus);
     EXPECT_NEAR(other.vertexCount(), result.vertexCount(), 0.05 * result.vertexCount());
-    EXPECT_LT(hausdorff(other, changed, 0.05 * scale), (1.5 * error + 0.001) * scale);
+    EXPECT_LT(checks::hausdorff(other, changed, 0.05 * scale), (1.5 * error + 0.001) * scale);
     EXPECT_NEAR(signedVolume(other) / std::pow(scale, 3), signedVolume(result),
       0.005 * std::abs(signedVolume(result)));
   };
@@ -142,7 +142,7 @@ TEST_P(ShrinkWrapShape, IsAsGoodOnAnyScaleAnywhere)
   expectAlike(shapes::transformed(target, 1e-4, Vec3::Zero()), 1e-4);
   expectAlike(shapes::transformed(target, 1e4, 1e4 * away), 1e4);
   expectAlike(shapes::transformed(target, 1.0, away), 1.0);
-  expectAlike(shapes::rotated(target, shapes::someRotation()), 1.0);
+  expectAlike(shapes::mapped(target, shapes::someRotation()), 1.0);
 }
 
 TEST_P(ShrinkWrapShape, HasTheSameBitsOnAnyThreads)
@@ -157,8 +157,8 @@ TEST_P(ShrinkWrapShape, HasTheSameBitsOnAnyThreads)
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, ShrinkWrapShape,
-  testing::Values(Shape{ "Sphere", icosphere(4), 0 }, Shape{ "Torus", torus(), 1 },
-    Shape{ "Box", box(), 0 }, Shape{ "Ell", ell(), 0 }),
+  testing::Values(Shape{ "Sphere", icosphere(4), 0 }, Shape{ "Torus", fineTorus(), 1 },
+    Shape{ "Box", brick(), 0 }, Shape{ "Ell", shapes::ell(), 0 }),
   [](const testing::TestParamInfo<Shape>& shape) { return std::string(shape.param.name); });
 
 TEST(ShrinkWrapAccuracy, CreasesOfAnOffsetStayAtTheOffset)
@@ -167,12 +167,12 @@ TEST(ShrinkWrapAccuracy, CreasesOfAnOffsetStayAtTheOffset)
   // target's crease in each coordinate; the result comes as near as its elements allow.
   ShrinkWrapOptions options = quick(0.1, 64);
   options.offsetDistance = 0.2;
-  const SurfaceMesh result = wrap(ell(), options);
+  const SurfaceMesh result = wrap(shapes::ell(), options);
   const AABBTree tree(result);
   const Vec3 crease(1.2, 1.2, 0.5);
   EXPECT_LT(std::sqrt(tree.closest(crease).at.squaredDistance), 0.1);
   // Nowhere is any point of it nearer to the target than that.
-  const AABBTree target(ell());
+  const AABBTree target(shapes::ell());
   for (const Vec3& p : samplesOf(result, 0.02))
   {
     EXPECT_GT(std::sqrt(target.closest(p).at.squaredDistance), 0.2 - 0.012);

@@ -4,6 +4,7 @@
 #include "ShrinkWrap/SurfaceReport.h"
 
 #include "ShrinkWrap/Shortcomings.h"
+#include "ShrinkWrap/WrapRuns.h"
 #include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
@@ -17,12 +18,7 @@ namespace
 {
 
 using namespace evolving;
-
-/// From a sphere about the origin.
-Deviation fromSphere(double radius)
-{
-  return [radius](const Vec3& point) { return std::abs(point.norm() - radius); };
-}
+using evolving::wraps::fromSphere;
 
 TEST(SurfaceReport, OfASphereInsideAnother)
 {

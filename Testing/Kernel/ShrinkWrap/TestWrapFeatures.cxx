@@ -3,11 +3,15 @@
 
 // Shrink-wrapping with PreserveFeatures: targets of planes come out exactly.
 
+#include "Checks/SurfaceMeasures.h"
 #include "FeatureCapture/CaptureShapes.h"
 #include "Mesh/MeshQuality.h"
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/CreasedShapes.h"
+#include "Shapes/MeshVariants.h"
 #include "ShrinkWrap/FeatureWraps.h"
+#include "Trees/AABBTree.h"
 
 #include <gtest/gtest.h>
 
@@ -67,17 +71,17 @@ double farthestEnd(const SurfaceMesh& segments, const SurfaceMesh& others)
 
 TEST(WrapFeatures, ABoxIsExact)
 {
-  const Wrapped wrapped(box(), withFeatures(0.2));
+  const Wrapped wrapped(brick(), withFeatures(0.2));
   expectSound(wrapped.surface, 0, 1, 40.0);
-  EXPECT_LT(hausdorff(wrapped.surface, box(), 0.05), 1e-13);
-  EXPECT_LT(volumeError(wrapped.surface, box()), 1e-12);
+  EXPECT_LT(checks::hausdorff(wrapped.surface, brick(), 0.05), 1e-13);
+  EXPECT_LT(volumeError(wrapped.surface, brick()), 1e-12);
   EXPECT_NEAR(wrapped.report.creases.length, 24.0, 1e-12);
   EXPECT_EQ(wrapped.report.creases.missing, 0.0);
   EXPECT_TRUE(wrapped.sentences.empty());
   const SurfaceMesh folds = foldsOf(wrapped.surface);
   EXPECT_NEAR(lengthOf(folds), 24.0, 1e-10);
-  EXPECT_LT(farthestEnd(folds, foldsOf(box())), 1e-13);
-  for (const Vec3& corner : box().points)
+  EXPECT_LT(farthestEnd(folds, foldsOf(brick())), 1e-13);
+  for (const Vec3& corner : brick().points)
   {
     const auto& points = wrapped.surface.points;
     EXPECT_EQ(std::count(points.begin(), points.end(), corner), 1);
@@ -91,7 +95,7 @@ TEST(WrapFeatures, ABoxIsExactOnAnyScaleAnywhere)
   {
     const Wrapped wrapped(target, withFeatures(0.2 * scale));
     expectSound(wrapped.surface, 0, 1, 40.0);
-    EXPECT_LT(hausdorff(wrapped.surface, target, 0.05 * scale), rounding * scale);
+    EXPECT_LT(checks::hausdorff(wrapped.surface, target, 0.05 * scale), rounding * scale);
     EXPECT_NEAR(wrapped.report.creases.length, 24.0 * scale, 100.0 * rounding * scale);
     EXPECT_EQ(wrapped.report.creases.missing, 0.0);
     const Vec3 back = -target.points.front();
@@ -99,7 +103,7 @@ TEST(WrapFeatures, ABoxIsExactOnAnyScaleAnywhere)
                 shapes::transformed(target, 1.0, back)),
       100.0 * rounding);
   };
-  const SurfaceMesh rotated = shapes::rotated(box(), shapes::someRotation());
+  const SurfaceMesh rotated = shapes::mapped(brick(), shapes::someRotation());
   expectExact(rotated, 1.0, 1e-13);
   expectExact(shapes::transformed(rotated, 1e-4, Vec3::Zero()), 1e-4, 1e-13);
   expectExact(shapes::transformed(rotated, 1e4, Vec3::Zero()), 1e4, 1e-13);
@@ -109,29 +113,30 @@ TEST(WrapFeatures, ABoxIsExactOnAnyScaleAnywhere)
 
 TEST(WrapFeatures, AnEllIsExact)
 {
-  const Wrapped wrapped(capture::ell(), withFeatures(0.15));
+  const Wrapped wrapped(shapes::ell(), withFeatures(0.15));
   expectSound(wrapped.surface, 0, 1, 40.0);
-  EXPECT_LT(hausdorff(wrapped.surface, capture::ell(), 0.05), 1e-13);
-  EXPECT_LT(volumeError(wrapped.surface, capture::ell()), 1e-12);
+  EXPECT_LT(checks::hausdorff(wrapped.surface, shapes::ell(), 0.05), 1e-13);
+  EXPECT_LT(volumeError(wrapped.surface, shapes::ell()), 1e-12);
   EXPECT_TRUE(wrapped.sentences.empty());
 }
 
 TEST(WrapFeatures, AcuteCreasesAreNotWornOff)
 {
   // Between planes at 34 and at 45 degrees.
-  const SurfaceMesh prism = test::extruded({ Vec3(0, 0, 0), Vec3(1.5, 0, 0), Vec3(0, 1, 0) }, 1.2);
+  const SurfaceMesh prism =
+    shapes::extruded({ Vec3(0, 0, 0), Vec3(1.5, 0, 0), Vec3(0, 1, 0) }, 1.2);
   const Wrapped ofPrism(prism, withFeatures(0.12));
   expectSound(ofPrism.surface, 0, 1, 30.0);
   EXPECT_LT(ofPrism.report.creases.missing, 0.01 * ofPrism.report.creases.length);
-  EXPECT_LT(hausdorff(ofPrism.surface, prism, 0.05), 0.05);
-  const Wrapped ofCone(capture::cone(), withFeatures(0.15));
+  EXPECT_LT(checks::hausdorff(ofPrism.surface, prism, 0.05), 0.05);
+  const Wrapped ofCone(shapes::cone(), withFeatures(0.15));
   expectSound(ofCone.surface, 0, 1, 30.0);
   EXPECT_EQ(ofCone.report.creases.missing, 0.0);
 }
 
 TEST(WrapFeatures, ACylinderHasItsRims)
 {
-  const SurfaceMesh cylinder = capture::cylinder();
+  const SurfaceMesh cylinder = shapes::cylinder();
   for (const bool adapt : { false, true })
   {
     ShrinkWrapOptions options = withFeatures(0.15);
@@ -145,7 +150,7 @@ TEST(WrapFeatures, ACylinderHasItsRims)
     // Chords of 0.2 are shorter than the circle by 0.2^2 / 24, and none is missing.
     EXPECT_NEAR(lengthOf(folds), 2.0 * capture::rimLength(48), 0.03);
     // In the middle between two chords on a circle.
-    EXPECT_LT(hausdorff(wrapped.surface, cylinder, 0.05), 0.15 * 0.15 / 2.0);
+    EXPECT_LT(checks::hausdorff(wrapped.surface, cylinder, 0.05), 0.15 * 0.15 / 2.0);
     EXPECT_LT(volumeError(wrapped.surface, cylinder), 1e-3);
   }
 }
@@ -155,7 +160,7 @@ TEST(WrapFeatures, CreasesAloneAttractNoSmallElements)
   // All that is curved is the tube: edges on its rims are no shorter than on it.
   ShrinkWrapOptions options = withFeatures(0.15);
   options.adaptToCurvature = true;
-  const Wrapped cylinder(capture::cylinder(), options);
+  const Wrapped cylinder(shapes::cylinder(), options);
   const SurfaceMesh folds = foldsOf(cylinder.surface);
   double onTube = 0.0;
   double count = 0.0;
@@ -172,16 +177,16 @@ TEST(WrapFeatures, CreasesAloneAttractNoSmallElements)
   EXPECT_GT(lengthOf(folds) / folds.faceCount(), 0.9 * onTube / count);
   // A box has nothing that is curved: elements of the largest size.
   options.targetEdgeLength = 0.2;
-  const Wrapped adapted(box(), options);
+  const Wrapped adapted(brick(), options);
   options.adaptToCurvature = false;
-  const Wrapped uniform(box(), options);
+  const Wrapped uniform(brick(), options);
   EXPECT_LT(adapted.surface.vertexCount(), 0.6 * uniform.surface.vertexCount());
-  EXPECT_LT(hausdorff(adapted.surface, box(), 0.05), 1e-13);
+  EXPECT_LT(checks::hausdorff(adapted.surface, brick(), 0.05), 1e-13);
 }
 
 TEST(WrapFeatures, ADartIsThere)
 {
-  const SurfaceMesh target = capture::boxWithDart();
+  const SurfaceMesh target = shapes::boxWithDart();
   const Wrapped wrapped(target, withFeatures(0.15));
   expectSound(wrapped.surface, 0);
   EXPECT_EQ(wrapped.report.creases.missing, 0.0) << wrapped.report.creases.place.transpose();

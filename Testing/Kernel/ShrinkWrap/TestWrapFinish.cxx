@@ -3,10 +3,14 @@
 
 #include "ShrinkWrap/WrapFinish.h"
 
+#include "Checks/SurfaceMeasures.h"
 #include "Mesh/MeshQuality.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Spheres.h"
 #include "ShrinkWrap/OuterRegion.h"
 #include "ShrinkWrap/WrapRuns.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 #include "ThreadedExecution.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +55,7 @@ TEST(WrapFinish, MakesGoodElementsOnTheTarget)
   // The middle of a triangle of edge L between points of the sphere is L^2 / 6 below it, and some
   // edges are longer than the mean; the mean error, L^2 / 8, is taken away.
   const double edge = meanEdgeLength(finished.surface);
-  EXPECT_LT(wraps::hausdorff(finished.surface, sphere, 0.03), 1.2 * edge * edge / 6.0);
+  EXPECT_LT(checks::hausdorff(finished.surface, sphere, 0.03), 1.2 * edge * edge / 6.0);
   EXPECT_NEAR(signedVolume(finished.surface), signedVolume(sphere),
     0.1 * edge * edge / 8.0 * surfaceArea(sphere));
 }

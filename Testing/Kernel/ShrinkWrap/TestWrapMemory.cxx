@@ -4,6 +4,7 @@
 #include "MemoryCount.h"
 #include "Remeshing/RemeshingShapes.h"
 #include "ShrinkWrap/WrapRuns.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,11 @@
 #include "ShrinkWrap/WrapReference.h"
 
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Sheets.h"
 #include "ShrinkWrap/WrapRuns.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -71,7 +75,7 @@ TEST(WrapReference, HiddenPartsAreNoneOfIt)
 {
   const SurfaceMesh outer = icosphere(4);
   const SurfaceMesh within = shapes::transformed(icosphere(3), 0.5, Vec3(0.1, 0.0, 0.0));
-  const auto reference = referenceFor(shapes::together(within, outer));
+  const auto reference = referenceFor(shapes::merged(within, outer));
   EXPECT_EQ(reference->visible().faceCount(), outer.faceCount());
   EXPECT_TRUE(reference->isOnTarget());
   for (Index f = 0; f < outer.faceCount(); ++f)
@@ -115,7 +119,7 @@ TEST(WrapReference, BesideTwoSheetsThatMeetItKeepsAwayFromBoth)
   {
     p = Vec3(0.0, p.y(), p.x());
   }
-  const auto reference = referenceFor(shapes::together(sheetOfSide(2.0, 12), upright));
+  const auto reference = referenceFor(shapes::merged(sheetOfSide(2.0, 12), upright));
   const double wall = 0.3 * 0.15;
   for (const Vec3& point : { Vec3(0.02, 0.1, 0.03), Vec3(0.06, 0.1, 0.01), Vec3(0.01, 0.1, 0.02) })
   {
@@ -144,7 +148,7 @@ TEST(WrapReference, AFinOnASolidIsAWallAndTheSolidIsNot)
     p = Vec3(p.x(), 0.01, 2.0 * p.y());
   }
   const auto reference =
-    referenceFor(shapes::together(shapes::triangleBox(8, Vec3::Ones()), fin), wraps::quick(0.1));
+    referenceFor(shapes::merged(shapes::triangleBox(8, Vec3::Ones()), fin), wraps::quick(0.1));
   EXPECT_TRUE(reference->hasSheets());
   EXPECT_FALSE(reference->isOnTarget());
   const auto side = reference->onSurface(Vec3(0.2, 1.05, 0.3), Vec3::UnitY(), 0, NoIndex);

@@ -4,11 +4,15 @@
 #include "ShrinkWrap/WrapTarget.h"
 
 #include "Errors.h"
-#include "Mesh/HoleyShapes.h"
+#include "Mesh/Angles.h"
 #include "Mesh/TopologySummary.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/HoleyShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Spheres.h"
 #include "ShrinkWrap/OuterRegion.h"
 #include "ShrinkWrap/WrapRuns.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +22,7 @@ namespace
 {
 
 using namespace evolving;
-using namespace evolving::testing_holes;
+using namespace evolving::shapes;
 
 /// How well the start comes to the origin: 0 or 1.
 double reachesOrigin(const SurfaceMesh& mesh, const ShrinkWrapOptions& options)
@@ -85,7 +89,7 @@ SurfaceMesh crackedSphere(double width)
 {
   const SurfaceMesh half = shapes::halfSphere(24);
   const Vec3 up(0.0, 0.0, 0.5 * width);
-  return shapes::together(
+  return shapes::merged(
     shapes::transformed(half, 1.0, up), shapes::transformed(reversed(half), -1.0, -up));
 }
 

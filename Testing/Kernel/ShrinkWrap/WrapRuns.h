@@ -11,14 +11,11 @@
 
 #include "Evolution/SurfaceFlow.h"
 #include "Mesh/TopologySummary.h"
-#include "Remeshing/TargetSamples.h"
 #include "ShrinkWrap/ShrinkWrap.h"
 #include "ShrinkWrap/SurfaceReport.h"
-#include "Trees/AABBTree.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace evolving::wraps
@@ -50,6 +47,12 @@ inline SurfaceMesh wrap(const SurfaceMesh& target, const ShrinkWrapOptions& opti
   return run(prepareShrinkWrap(target, options, execution), execution);
 }
 
+/// The distance from a sphere about the origin.
+inline Deviation fromSphere(double radius)
+{
+  return [radius](const Vec3& point) { return std::abs(point.norm() - radius); };
+}
+
 /// What every result must be.
 inline void expectSound(
   const SurfaceMesh& surface, Index genus, Index components = 1, double leastAngle = 36.0)
@@ -62,23 +65,6 @@ inline void expectSound(
   EXPECT_EQ(summarizeTopology(surface).components, components);
   EXPECT_GT(report.minAngle, leastAngle);
   EXPECT_GT(signedVolume(surface), 0.0);
-}
-
-/// The largest distance of any point of a surface, or a sample of it, from another.
-inline double farthest(const SurfaceMesh& from, const SurfaceMesh& to, double spacing)
-{
-  const AABBTree tree(to);
-  double squared = 0.0;
-  for (const Vec3& sample : samplesOf(from, spacing))
-  {
-    squared = std::max(squared, tree.closest(sample).at.squaredDistance);
-  }
-  return std::sqrt(squared);
-}
-
-inline double hausdorff(const SurfaceMesh& a, const SurfaceMesh& b, double spacing)
-{
-  return std::max(farthest(a, b, spacing), farthest(b, a, spacing));
 }
 
 } // namespace evolving::wraps

@@ -10,23 +10,15 @@
 #define EVOLVING_TESTING_GAP_SHAPES_H
 
 #include "Mesh/SurfaceMesh.h"
+#include "Shapes/SampledOnGrid.h"
 #include "StartSurface/Isosurface.h"
-#include "StartSurface/SampledFields.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-namespace evolving
+namespace evolving::shapes
 {
-namespace testing_fields
-{
-
-inline double boxDistance(const Vec3& p, const Vec3& centre, const Vec3& halfSides)
-{
-  const Vec3 beyond = (p - centre).cwiseAbs() - halfSides;
-  return std::abs(beyond.cwiseMax(0.0).norm() + std::min(beyond.maxCoeff(), 0.0));
-}
 
 /// From two boxes, 1 x 0.8 x 0.8 with the slot between them, which is parallel to the yz plane.
 inline double slotDistance(const Vec3& p, double width)
@@ -34,7 +26,8 @@ inline double slotDistance(const Vec3& p, double width)
   const double halfX = 0.5 * (0.5 - 0.5 * width);
   const Vec3 centre(0.5 - halfX, 0.0, 0.0);
   const Vec3 halfSides(halfX, 0.4, 0.4);
-  return std::min(boxDistance(p, centre, halfSides), boxDistance(p, -centre, halfSides));
+  return std::min(
+    std::abs(boxDistance(p - centre, halfSides)), std::abs(boxDistance(p + centre, halfSides)));
 }
 
 /// From a sphere of radius 0.5 without what lies within an angle of its pole.
@@ -58,7 +51,6 @@ inline SurfaceMesh outerSurface(const DistanceGrid& grid, const std::vector<floa
   return isosurface(grid, field, options);
 }
 
-} // namespace testing_fields
-} // namespace evolving
+} // namespace evolving::shapes
 
 #endif

@@ -3,7 +3,9 @@
 
 #include "StartSurface/GapClosing.h"
 
+#include "Mesh/Angles.h"
 #include "Mesh/TopologySummary.h"
+#include "Shapes/SampledOnGrid.h"
 #include "StartSurface/GapShapes.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +15,7 @@
 #include <vector>
 
 using namespace evolving;
-using namespace evolving::testing_fields;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -58,7 +60,7 @@ TEST(GapClosing, LeavesASphereAsItIs)
   double lastError = 0.0;
   for (const int n : { 25, 49, 97 })
   {
-    const DistanceGrid grid = unitGrid(n);
+    const DistanceGrid grid = cubicGrid(n);
     const SurfaceMesh surface = outerSurface(grid, closed(grid, sphere, 0.1, 0.5));
     double error = 0.0;
     for (const Vec3& point : surface.points)
@@ -74,9 +76,9 @@ TEST(GapClosing, LeavesASphereAsItIs)
 
 TEST(GapClosing, LeavesAConvexBoxAsItIs)
 {
-  const DistanceGrid grid = unitGrid(81);
+  const DistanceGrid grid = cubicGrid(81);
   const auto box = [](const Vec3& p)
-  { return boxDistance(p, Vec3(0.01, 0.02, 0.0), Vec3(0.5, 0.3, 0.4)); };
+  { return std::abs(boxDistance(p - Vec3(0.01, 0.02, 0.0), Vec3(0.5, 0.3, 0.4))); };
   const SurfaceMesh surface = outerSurface(grid, closed(grid, box, 0.05, 0.4));
   for (const Vec3& point : surface.points)
   {
@@ -87,7 +89,7 @@ TEST(GapClosing, LeavesAConvexBoxAsItIs)
 
 TEST(GapClosing, ClosesSlotsNarrowerThanTheGapSize)
 {
-  const DistanceGrid grid = unitGrid(81);
+  const DistanceGrid grid = cubicGrid(81);
   for (const double width : { 0.15, 0.25, 0.35 })
   {
     const auto distance = [&](const Vec3& p) { return slotDistance(p, width); };
@@ -110,7 +112,7 @@ TEST(GapClosing, ClosesSlotsNarrowerThanTheGapSize)
 
 TEST(GapClosing, AlwaysContainsTheOffset)
 {
-  const DistanceGrid grid = unitGrid(41);
+  const DistanceGrid grid = cubicGrid(41);
   for (const double width : { 0.15, 0.3, 0.45 })
   {
     const std::vector<float> distance =
@@ -131,7 +133,7 @@ TEST(GapClosing, SpansASlotByTheBallThatRestsOnItsEdges)
   const double expected = 0.4 + std::sqrt(Radius * Radius - 0.25 * Width * Width) - Radius + Offset;
   for (const int n : { 41, 81, 121 })
   {
-    const DistanceGrid grid = unitGrid(n);
+    const DistanceGrid grid = cubicGrid(n);
     const std::vector<float> field = closed(
       grid, [](const Vec3& p) { return slotDistance(p, Width); }, Offset, 2.0 * Radius);
     const double error = std::abs(heightAboveCentre(grid, field) - expected);
@@ -141,7 +143,7 @@ TEST(GapClosing, SpansASlotByTheBallThatRestsOnItsEdges)
 
 TEST(GapClosing, ClosesAShellWhoseOpeningIsNarrower)
 {
-  const DistanceGrid grid = unitGrid(81);
+  const DistanceGrid grid = cubicGrid(81);
   constexpr double Angle = 0.3;
   const double opening = 2.0 * 0.5 * std::sin(Angle);
   const auto distance = [&](const Vec3& p) { return bowlDistance(p, Angle); };
@@ -153,7 +155,7 @@ TEST(GapClosing, ClosesAShellWhoseOpeningIsNarrower)
     const SurfaceMesh surface = outerSurface(grid, field);
     EXPECT_EQ(summarizeTopology(surface).components, 1);
     EXPECT_EQ(summarizeTopology(surface).genus(), 0);
-    const double ball = 4.0 / 3.0 * 3.14159265 * std::pow(0.5 + Offset, 3);
+    const double ball = 4.0 / 3.0 * Pi * std::pow(0.5 + Offset, 3);
     EXPECT_EQ(signedVolume(surface) > 0.95 * ball, isClosed) << signedVolume(surface) / ball;
   }
 }
@@ -162,7 +164,7 @@ TEST(GapClosing, ClosesATorussHoleWhenBallsFromBothSidesDoNotMeetInIt)
 {
   // Resting on the hole, their centres are z = sqrt((r + 0.15)^2 - 0.4^2) above and below it, and
   // the solid is r - offset from there: it holds together when z > r - offset, from r = 0.366 on.
-  const DistanceGrid grid = unitGrid(81);
+  const DistanceGrid grid = cubicGrid(81);
   const auto distance = [](const Vec3& p) { return std::abs(torusDistance(p, 0.4, 0.15)); };
   for (const double gapSize : { 0.3, 0.45, 0.68, 0.78 })
   {
@@ -177,7 +179,7 @@ TEST(GapClosing, ClosesATorussHoleWhenBallsFromBothSidesDoNotMeetInIt)
 TEST(GapClosing, ClosesAHoleThroughAThinSheetThatTheOffsetHoldsTogether)
 {
   // Up to 2 sqrt(0.1 (0.5 - 0.1)) = 0.4, not up to the gap size.
-  const DistanceGrid grid = unitGrid(81);
+  const DistanceGrid grid = cubicGrid(81);
   for (const double hole : { 0.34, 0.46 })
   {
     const auto distance = [&](const Vec3& p)
@@ -194,7 +196,7 @@ TEST(GapClosing, ClosesAHoleThroughAThinSheetThatTheOffsetHoldsTogether)
 TEST(GapClosing, HasOnePartWhereTheBallJustPasses)
 {
   // Whether it passes or not is a question of the grid; the inside must not be both.
-  const DistanceGrid grid = unitGrid(81);
+  const DistanceGrid grid = cubicGrid(81);
   const auto distance = [](const Vec3& p) { return bowlDistance(p, 0.3); };
   for (double gapSize = 0.25; gapSize < 0.31; gapSize += 0.01)
   {

@@ -4,17 +4,19 @@
 #include "StartSurface/GapClosing.h"
 
 #include "Errors.h"
+#include "Shapes/SampledOnGrid.h"
 #include "StartSurface/GapShapes.h"
 #include "ThreadedExecution.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <vector>
 
 using namespace evolving;
-using namespace evolving::testing_fields;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -25,7 +27,7 @@ constexpr double Offset = 0.04;
 
 TEST(GapClosing, IsTheOffsetForSmallGapSizes)
 {
-  const DistanceGrid grid = unitGrid(21);
+  const DistanceGrid grid = cubicGrid(21);
   const std::vector<float> distance =
     sampled(grid, [](const Vec3& p) { return slotDistance(p, 0.2); });
   for (const double gapSize : { 0.0, 0.1, 0.2 })
@@ -43,7 +45,7 @@ TEST(GapClosing, IsTheOffsetForSmallGapSizes)
 
 TEST(GapClosing, TakesDistancesWithSignsToo)
 {
-  const DistanceGrid grid = unitGrid(41);
+  const DistanceGrid grid = cubicGrid(41);
   std::vector<float> distance =
     sampled(grid, [](const Vec3& p) { return torusDistance(p, 0.4, 0.15); });
   // The offset is wider than a cell, so that no sample inside is beside the surface.
@@ -58,7 +60,7 @@ TEST(GapClosing, TakesDistancesWithSignsToo)
 
 TEST(GapClosing, HasTheSameBitsForAnyNumberOfThreads)
 {
-  const DistanceGrid grid = unitGrid(45);
+  const DistanceGrid grid = cubicGrid(45);
   const std::vector<float> distance =
     sampled(grid, [](const Vec3& p) { return bowlDistance(p, 0.3); });
   const std::vector<float> serial = closeGaps(grid, distance, Offset, 0.4);
@@ -70,7 +72,7 @@ TEST(GapClosing, HasTheSameBitsForAnyNumberOfThreads)
 
 TEST(GapClosing, RefusesBadLengthsAndFields)
 {
-  const DistanceGrid grid = unitGrid(4);
+  const DistanceGrid grid = cubicGrid(4);
   const std::vector<float> field(64, 1.0F);
   EXPECT_THROW(closeGaps(grid, field, -0.1, 0.3), InputError);
   EXPECT_THROW(closeGaps(grid, field, 0.1, -0.3), InputError);
@@ -80,7 +82,7 @@ TEST(GapClosing, RefusesBadLengthsAndFields)
 
 TEST(GapClosing, StopsWhenAsked)
 {
-  const DistanceGrid grid = unitGrid(21);
+  const DistanceGrid grid = cubicGrid(21);
   const std::vector<float> distance =
     sampled(grid, [](const Vec3& p) { return bowlDistance(p, 0.3); });
   const auto serial = [](std::int64_t count, const std::function<void(std::int64_t)>& task)

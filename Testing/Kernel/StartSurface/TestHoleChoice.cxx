@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Mesh/Angles.h"
+#include "Shapes/HoleyShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Tubes.h"
 #include "StartSurface/HoleChoice.h"
-
-#include "Mesh/HoleyShapes.h"
-#include "Mesh/MeshVariants.h"
 
 #include <gtest/gtest.h>
 
 using namespace evolving;
-using namespace evolving::testing_holes;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -78,8 +79,8 @@ TEST(HoleChoice, LeavesASievesManyHoles)
 TEST(HoleChoice, JudgesEveryComponentByItself)
 {
   const SurfaceMesh scan = drilledSphere({ Vec3::UnitX() }, 0.2);
-  const SurfaceMesh sheet = moved(sheetWithHole(20, 0.1), 10.0, Vec3(0.0, 0.0, 3.0));
-  const SurfaceMesh scene = unionOf(scan, sheet);
+  const SurfaceMesh sheet = transformed(sheetWithHole(20, 0.1), 10.0, Vec3(0.0, 0.0, 3.0));
+  const SurfaceMesh scene = merged(scan, sheet);
   const std::vector<BoundaryLoop> holes = holesToFill(scene, boundaryLoops(scene), 0.0);
   ASSERT_EQ(holes.size(), 1U);
   EXPECT_LT(holes[0].vertices.front(), scan.vertexCount());

@@ -4,11 +4,14 @@
 #include "StartSurface/HoleFilling.h"
 
 #include "Errors.h"
-#include "Mesh/HoleyShapes.h"
-#include "Mesh/MeshVariants.h"
+#include "Mesh/Angles.h"
 #include "Mesh/SelfIntersections.h"
-#include "Mesh/TestShapes.h"
 #include "Mesh/TopologySummary.h"
+#include "Shapes/HoleyShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +20,7 @@
 #include <random>
 
 using namespace evolving;
-using namespace evolving::testing_holes;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -54,7 +57,7 @@ TEST(HoleFilling, DoesNotDependOnScaleAndPlace)
   const SurfaceMesh filled = allFilled(mesh);
   for (const double scale : { 1e-4, 1e4 })
   {
-    const SurfaceMesh other = allFilled(moved(mesh, scale, scale * Vec3(300.0, -100.0, 0.0)));
+    const SurfaceMesh other = allFilled(transformed(mesh, scale, scale * Vec3(300.0, -100.0, 0.0)));
     EXPECT_TRUE(summarizeTopology(other).isClosed());
     EXPECT_NEAR(surfaceArea(other) / (scale * scale), surfaceArea(filled), 1e-9);
   }

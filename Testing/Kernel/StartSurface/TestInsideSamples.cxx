@@ -4,18 +4,20 @@
 #include "StartSurface/InsideSamples.h"
 
 #include "Errors.h"
-#include "StartSurface/SampledFields.h"
+#include "Shapes/SampledOnGrid.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 using namespace evolving;
-using namespace evolving::testing_fields;
+using namespace evolving::shapes;
 
 TEST(InsideSamples, AreTheSamplesBelowTheIsoValueWithinAnOutsideLayer)
 {
-  DistanceGrid grid = unitGrid(2);
+  DistanceGrid grid = cubicGrid(2);
   grid.extent = { 5, 6, -3, -2, 0, 2 };
   std::vector<float> field;
   for (int n = 0; n < 12; ++n)
@@ -44,7 +46,7 @@ TEST(InsideSamples, AreTheSamplesBelowTheIsoValueWithinAnOutsideLayer)
 
 TEST(InsideSamples, RefuseFieldsThatDoNotFit)
 {
-  const DistanceGrid grid = unitGrid(3);
+  const DistanceGrid grid = cubicGrid(3);
   EXPECT_THROW(InsideSamples(grid, std::vector<float>(26), 0.0), InputError);
   EXPECT_THROW(InsideSamples(DistanceGrid(), std::vector<float>(), 0.0), InputError);
   std::vector<float> field(27, 1.0F);
@@ -57,7 +59,7 @@ TEST(InsideSamples, RefuseFieldsThatDoNotFit)
 TEST(FillCavities, TurnsExactlyWhatIsShutOffFromTheBorder)
 {
   // A shell with a ball in its cavity, and a bowl whose hollow is open.
-  const DistanceGrid grid = unitGrid(31);
+  const DistanceGrid grid = cubicGrid(31);
   const auto shellAndBall = [](const Vec3& p)
   { return std::min(std::abs(p.norm() - 0.7) - 0.1, p.norm() - 0.2); };
   const auto solid = [](const Vec3& p) { return p.norm() - 0.8; };
@@ -81,7 +83,7 @@ TEST(FillCavities, TurnsExactlyWhatIsShutOffFromTheBorder)
 
 TEST(FillCavities, AgreesWithASimpleFloodOnNoise)
 {
-  const DistanceGrid grid = unitGrid(9);
+  const DistanceGrid grid = cubicGrid(9);
   for (unsigned seed = 0; seed < 20; ++seed)
   {
     const std::vector<float> field = noise(grid, seed);

@@ -3,46 +3,33 @@
 
 #include "StartSurface/Isosurface.h"
 
+#include "Checks/ClosedSurface.h"
 #include "Errors.h"
+#include "Mesh/Angles.h"
 #include "Mesh/MeshQuality.h"
 #include "Mesh/MeshTopology.h"
+#include "Shapes/SampledOnGrid.h"
 #include "StartSurface/QuadSplitting.h"
-#include "StartSurface/SampledFields.h"
 #include "StartSurface/SurfaceNets.h"
 #include "StartSurface/WellComposed.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 using namespace evolving;
-using namespace evolving::testing_fields;
+using namespace evolving::shapes;
 
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
-
-TopologySummary expectClosedManifold(const SurfaceMesh& mesh)
-{
-  const TopologySummary summary = summarizeTopology(mesh);
-  EXPECT_TRUE(summary.isClosed());
-  EXPECT_TRUE(summary.isOriented());
-  EXPECT_EQ(summary.eulerCharacteristic() % 2, 0);
-  EXPECT_EQ(summary.usedVertices, mesh.vertexCount());
-  EXPECT_NO_THROW(MeshTopology{ mesh });
-  for (const Vec3& point : mesh.points)
-  {
-    EXPECT_TRUE(point.allFinite());
-  }
-  return summary;
-}
-
 SurfaceMesh sphereSurface(int n, const IsosurfaceOptions& options)
 {
   const Vec3 centre(0.03, -0.05, 0.01);
-  const DistanceGrid grid = unitGrid(n);
+  const DistanceGrid grid = cubicGrid(n);
   return isosurface(
     grid, sampled(grid, [&](const Vec3& p) { return (p - centre).norm() - 0.7; }), options);
 }
@@ -60,7 +47,7 @@ TEST(Isosurface, SphereIsClosedOutwardAndConvergesInSecondOrder)
     for (const int n : { 17, 33, 65 })
     {
       const SurfaceMesh mesh = sphereSurface(n, options);
-      const TopologySummary summary = expectClosedManifold(mesh);
+      const TopologySummary summary = checks::expectClosedManifold(mesh);
       EXPECT_EQ(summary.components, 1);
       EXPECT_EQ(summary.genus(), 0);
       EXPECT_EQ(mesh.hasOnlyTriangles(), triangles);
@@ -81,11 +68,11 @@ TEST(Isosurface, SphereIsClosedOutwardAndConvergesInSecondOrder)
 
 TEST(Isosurface, TorusHasGenusOne)
 {
-  const DistanceGrid grid = unitGrid(41);
+  const DistanceGrid grid = cubicGrid(41);
   const std::vector<float> field =
     sampled(grid, [](const Vec3& p) { return torusDistance(p, 0.6, 0.2); });
   const SurfaceMesh mesh = isosurface(grid, field, {});
-  EXPECT_EQ(expectClosedManifold(mesh).genus(), 1);
+  EXPECT_EQ(checks::expectClosedManifold(mesh).genus(), 1);
   EXPECT_NEAR(signedVolume(mesh), 2.0 * Pi * Pi * 0.6 * 0.04, 0.02);
 }
 
@@ -93,7 +80,7 @@ TEST(Isosurface, IsAClosedManifoldForAnyNoise)
 {
   for (unsigned seed = 0; seed < 200; ++seed)
   {
-    DistanceGrid grid = unitGrid(8);
+    DistanceGrid grid = cubicGrid(8);
     grid.extent = { 0, 5, 0, 6, 0, 7 };
     IsosurfaceOptions options;
     options.isoValue = (seed % 20 + 0.5) / 20.0;
@@ -101,7 +88,7 @@ TEST(Isosurface, IsAClosedManifoldForAnyNoise)
     options.relaxationSweeps = static_cast<int>(seed % 4);
     options.fillCavities = seed % 5 == 0;
     const SurfaceMesh mesh = isosurface(grid, noise(grid, seed), options);
-    const TopologySummary summary = expectClosedManifold(mesh);
+    const TopologySummary summary = checks::expectClosedManifold(mesh);
     EXPECT_GT(signedVolume(mesh), 0.0) << seed;
     for (Index face = 0; face < mesh.faceCount(); ++face)
     {
@@ -116,7 +103,7 @@ TEST(Isosurface, IsAClosedManifoldForAnyNoise)
 
 TEST(Isosurface, VerticesOfALinearFieldLieOnItsPlane)
 {
-  DistanceGrid grid = unitGrid(12);
+  DistanceGrid grid = cubicGrid(12);
   grid.spacing = Vec3(0.2, 0.15, 0.3);
   const Vec3 normal = Vec3(1.0, 0.4, -0.3).normalized();
   const auto plane = [&](const Vec3& p) { return normal.dot(p) - 0.11; };
@@ -140,24 +127,24 @@ TEST(Isosurface, VerticesOfALinearFieldLieOnItsPlane)
 
 TEST(Isosurface, RegionsAtTheBorderAreWalledThere)
 {
-  const DistanceGrid grid = unitGrid(9);
+  const DistanceGrid grid = cubicGrid(9);
   const SurfaceMesh full = isosurface(grid, std::vector<float>(729, -1.0F), {});
-  EXPECT_EQ(expectClosedManifold(full).genus(), 0);
+  EXPECT_EQ(checks::expectClosedManifold(full).genus(), 0);
   // The wall stands 1/50 of a cell outside the border, its edges and corners a little rounded.
   EXPECT_NEAR(signedVolume(full), std::pow(2.0 + 0.04 * grid.spacing.x(), 3), 0.01);
   const Box box = boundingBox(full);
   EXPECT_NEAR((box.max() - Vec3::Ones()).cwiseAbs().maxCoeff(), 0.0, 0.021 * grid.spacing.x());
 
-  DistanceGrid slice = unitGrid(9);
+  DistanceGrid slice = cubicGrid(9);
   slice.extent = { 0, 8, 0, 8, 4, 4 };
   const SurfaceMesh slab =
     isosurface(slice, sampled(slice, [](const Vec3& p) { return p.norm() - 0.6; }), {});
-  EXPECT_EQ(expectClosedManifold(slab).genus(), 0);
+  EXPECT_EQ(checks::expectClosedManifold(slab).genus(), 0);
 }
 
 TEST(Isosurface, ExtentAndOriginDescribeTheSameSurface)
 {
-  const DistanceGrid grid = unitGrid(21);
+  const DistanceGrid grid = cubicGrid(21);
   DistanceGrid shifted = grid;
   shifted.extent = { -7, 13, 100, 120, 3, 23 };
   shifted.origin -= Vec3(-7.0, 100.0, 3.0).cwiseProduct(grid.spacing);
@@ -174,20 +161,20 @@ TEST(Isosurface, ExtentAndOriginDescribeTheSameSurface)
 
 TEST(Isosurface, FillCavitiesKeepsTheOuterSurfaceOnly)
 {
-  const DistanceGrid grid = unitGrid(31);
+  const DistanceGrid grid = cubicGrid(31);
   const std::vector<float> field = sampled(
     grid, [](const Vec3& p) { return std::min(std::abs(p.norm() - 0.7) - 0.1, p.norm() - 0.2); });
   IsosurfaceOptions options;
-  EXPECT_EQ(expectClosedManifold(isosurface(grid, field, options)).components, 3);
+  EXPECT_EQ(checks::expectClosedManifold(isosurface(grid, field, options)).components, 3);
   options.fillCavities = true;
   const SurfaceMesh outer = isosurface(grid, field, options);
-  EXPECT_EQ(expectClosedManifold(outer).components, 1);
+  EXPECT_EQ(checks::expectClosedManifold(outer).components, 1);
   EXPECT_NEAR(signedVolume(outer), 4.0 / 3.0 * Pi * 0.512, 0.05);
 }
 
 TEST(Isosurface, RelaxationKeepsVerticesInTheirCellsAndImprovesAngles)
 {
-  const DistanceGrid grid = unitGrid(33);
+  const DistanceGrid grid = cubicGrid(33);
   const std::vector<float> field =
     sampled(grid, [](const Vec3& p) { return torusDistance(p, 0.6, 0.25); });
   const InsideSamples samples(grid, field, 0.0);
@@ -207,7 +194,7 @@ TEST(Isosurface, RelaxationKeepsVerticesInTheirCellsAndImprovesAngles)
 
 TEST(Isosurface, NothingBelowTheIsoValueGivesAnEmptyMesh)
 {
-  const DistanceGrid grid = unitGrid(4);
+  const DistanceGrid grid = cubicGrid(4);
   EXPECT_EQ(isosurface(grid, std::vector<float>(64, 1.0F), {}).faceCount(), 0);
   EXPECT_EQ(isosurface(grid, std::vector<float>(64, 0.0F), {}).faceCount(), 0);
 }
@@ -215,20 +202,20 @@ TEST(Isosurface, NothingBelowTheIsoValueGivesAnEmptyMesh)
 TEST(Isosurface, RefusesBadGridsAndOptions)
 {
   const std::vector<float> field(64, 1.0F);
-  DistanceGrid flat = unitGrid(4);
+  DistanceGrid flat = cubicGrid(4);
   flat.spacing.y() = 0.0;
   EXPECT_THROW(isosurface(flat, field, {}), InputError);
   IsosurfaceOptions options;
   options.relaxationSweeps = -1;
-  EXPECT_THROW(isosurface(unitGrid(4), field, options), InputError);
+  EXPECT_THROW(isosurface(cubicGrid(4), field, options), InputError);
   options.relaxationSweeps = 0;
   options.isoValue = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(isosurface(unitGrid(4), field, options), InputError);
+  EXPECT_THROW(isosurface(cubicGrid(4), field, options), InputError);
 }
 
 TEST(Isosurface, StopsWhenAskedAndReportsRisingProgress)
 {
-  const DistanceGrid grid = unitGrid(9);
+  const DistanceGrid grid = cubicGrid(9);
   const std::vector<float> field = sampled(grid, [](const Vec3& p) { return p.norm() - 0.5; });
   const auto serial = [](std::int64_t count, const std::function<void(std::int64_t)>& task)
   {

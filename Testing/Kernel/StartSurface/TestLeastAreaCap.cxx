@@ -3,6 +3,7 @@
 
 #include "StartSurface/LeastAreaCap.h"
 
+#include "Mesh/Angles.h"
 #include "Mesh/MeshQuality.h"
 #include "Mesh/SelfIntersections.h"
 #include "Mesh/SurfaceMesh.h"
@@ -16,8 +17,6 @@ using namespace evolving;
 
 namespace
 {
-
-constexpr double Pi = 3.141592653589793;
 
 bool allowAll(Index /*a*/, Index /*b*/)
 {

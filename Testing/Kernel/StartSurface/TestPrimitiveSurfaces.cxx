@@ -3,7 +3,9 @@
 
 #include "StartSurface/PrimitiveSurfaces.h"
 
+#include "Checks/ClosedSurface.h"
 #include "Errors.h"
+#include "Mesh/Angles.h"
 #include "Mesh/MeshQuality.h"
 #include "Mesh/MeshTopology.h"
 
@@ -18,17 +20,11 @@ using namespace evolving;
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
-
 void expectSphereTopology(const SurfaceMesh& mesh)
 {
-  const TopologySummary summary = summarizeTopology(mesh);
-  EXPECT_TRUE(summary.isClosed());
-  EXPECT_TRUE(summary.isOriented());
+  const TopologySummary summary = checks::expectClosedManifold(mesh);
   EXPECT_EQ(summary.components, 1);
   EXPECT_EQ(summary.genus(), 0);
-  EXPECT_EQ(summary.usedVertices, mesh.vertexCount());
-  EXPECT_NO_THROW(MeshTopology{ mesh });
   EXPECT_GT(signedVolume(mesh), 0.0);
   std::set<std::array<double, 3>> distinct;
   for (const Vec3& p : mesh.points)

@@ -4,6 +4,7 @@
 #include "StartSurface/SurfaceComponents.h"
 
 #include "Mesh/MeshTopology.h"
+#include "Shapes/MeshVariants.h"
 #include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
@@ -15,40 +16,13 @@ using namespace evolving;
 namespace
 {
 
-void append(SurfaceMesh& mesh, const SurfaceMesh& part)
-{
-  const Index first = mesh.vertexCount();
-  mesh.points.insert(mesh.points.end(), part.points.begin(), part.points.end());
-  for (Index face = 0; face < part.faceCount(); ++face)
-  {
-    std::vector<Index> vertices;
-    for (Index k = 0; k < part.faceSize(face); ++k)
-    {
-      vertices.push_back(first + part.faceVertex(face, k));
-    }
-    mesh.addFace(vertices);
-  }
-}
-
-SurfaceMesh insideOut(SurfaceMesh mesh)
-{
-  for (Index face = 0; face < mesh.faceCount(); ++face)
-  {
-    const auto corners = mesh.cornerVertices.begin();
-    std::reverse(corners + mesh.faceOffsets[static_cast<std::size_t>(face)],
-      corners + mesh.faceOffsets[static_cast<std::size_t>(face) + 1]);
-  }
-  return mesh;
-}
-
 /// A box of side 0.2, a box of side 2 with a cavity of side 1, an unused point.
 SurfaceMesh speckAndHollowBox()
 {
   SurfaceMesh mesh = subdividedBox(1, Vec3::Constant(0.1), Vec3(5.0, 0.0, 0.0));
   mesh.addPoint(Vec3::Constant(99.0));
-  append(mesh, subdividedBox(2, Vec3::Ones()));
-  append(mesh, insideOut(subdividedBox(1)));
-  return mesh;
+  mesh = shapes::merged(mesh, subdividedBox(2, Vec3::Ones()));
+  return shapes::merged(mesh, reversed(subdividedBox(1)));
 }
 
 } // namespace

@@ -3,14 +3,14 @@
 
 #include "StartSurface/WellComposed.h"
 
-#include "StartSurface/SampledFields.h"
+#include "Shapes/SampledOnGrid.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
 using namespace evolving;
-using namespace evolving::testing_fields;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -97,7 +97,7 @@ TEST(WellComposed, CellsAreAmbiguousWhenTheSurfacePassesThemMoreThanOnce)
 
 TEST(WellComposed, NoiseLosesItsAmbiguousCellsAndOnlyTurnsInside)
 {
-  const DistanceGrid grid = unitGrid(10);
+  const DistanceGrid grid = cubicGrid(10);
   for (unsigned seed = 0; seed < 50; ++seed)
   {
     const std::vector<float> field = noise(grid, seed);
@@ -120,7 +120,7 @@ TEST(WellComposed, NoiseLosesItsAmbiguousCellsAndOnlyTurnsInside)
 
 TEST(WellComposed, TwoSamplesThatTouchAreJoinedThroughTheSmallestValue)
 {
-  const DistanceGrid grid = unitGrid(4);
+  const DistanceGrid grid = cubicGrid(4);
   for (const bool lowAlongX : { false, true })
   {
     std::vector<float> field(64, 1.0F);
@@ -138,7 +138,7 @@ TEST(WellComposed, TwoSamplesThatTouchAreJoinedThroughTheSmallestValue)
 
 TEST(WellComposed, ASmoothFieldIsLeftAlone)
 {
-  const DistanceGrid grid = unitGrid(40);
+  const DistanceGrid grid = cubicGrid(40);
   const std::vector<float> field =
     sampled(grid, [](const Vec3& p) { return torusDistance(p, 0.55, 0.25); });
   InsideSamples samples(grid, field, 0.0);

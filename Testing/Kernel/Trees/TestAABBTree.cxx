@@ -3,17 +3,21 @@
 
 #include "Trees/AABBTree.h"
 
-#include "AllTriangles.h"
-#include "Distance/DistanceShapes.h"
+#include "Checks/AllTriangles.h"
 #include "Errors.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
+#include "Trees/TriangleGeometry.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 #include <set>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -81,7 +85,7 @@ TEST(AABBTree, FindsTheClosestOfAllTriangles)
     for (int n = 0; n < 1000; ++n)
     {
       const Vec3 point = random();
-      const Index expected = closestOfAll(tree, point);
+      const Index expected = checks::closestOfAll(tree, point);
       const TrianglePoint at = closestPointOnTriangle(point, tree.triangle(expected));
       const ClosestTriangle found = tree.closest(point);
       ASSERT_EQ(found.triangle, expected) << shape.name;

@@ -8,8 +8,10 @@
  * would hold exactly wherever they are.
  */
 
-#include "AllTriangles.h"
-#include "Distance/DistanceShapes.h"
+#include "Checks/AllTriangles.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
 #include "Trees/AABBTree.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +22,7 @@
 #include <vector>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -36,9 +38,9 @@ SurfaceMesh moved(SurfaceMesh mesh, const Vec3& shift)
   return mesh;
 }
 
-std::vector<SurfaceMesh> shapes()
+std::vector<SurfaceMesh> bodies()
 {
-  return { sphere(4, 1.03), torus(1.07, 0.31, 40, 20), randomSoup(300, 0.3, 3) };
+  return { sphere(4, 1.03), torus(40, 20, 1.07, 0.31), randomSoup(300, 0.3, 3) };
 }
 
 Index largestLeaf(const AABBTree& tree)
@@ -88,7 +90,7 @@ private:
 
 TEST(AABBTreeFarAway, HasNoLargerLeaves)
 {
-  for (const SurfaceMesh& shape : shapes())
+  for (const SurfaceMesh& shape : bodies())
   {
     const AABBTree home(shape);
     for (const double offset : { 1e3, 1e6, 1e7, 1e9, 1e11 })
@@ -104,7 +106,7 @@ TEST(AABBTreeFarAway, HasNoLargerLeaves)
 
 TEST(AABBTreeFarAway, LeavesAreTight)
 {
-  for (const SurfaceMesh& shape : shapes())
+  for (const SurfaceMesh& shape : bodies())
   {
     for (const double offset : { 0.0, 1e6, 1e7, 1e9 })
     {
@@ -130,7 +132,7 @@ TEST(AABBTreeFarAway, LeavesAreTight)
 TEST(AABBTreeFarAway, EveryPointOfATriangleIsInALeafThatHasIt)
 {
   Somewhere random;
-  for (const SurfaceMesh& shape : shapes())
+  for (const SurfaceMesh& shape : bodies())
   {
     for (const double offset : { 0.0, 1e6, 1e7, 1e9, 1e14 })
     {
@@ -159,7 +161,7 @@ TEST(AABBTreeFarAway, EveryPointOfATriangleIsInALeafThatHasIt)
 TEST(AABBTreeFarAway, AnswersAsAllTrianglesDo)
 {
   Somewhere random;
-  for (const SurfaceMesh& shape : shapes())
+  for (const SurfaceMesh& shape : bodies())
   {
     for (const double offset : { 1e6, 1e7, 1e9, 1e14 })
     {
@@ -168,7 +170,8 @@ TEST(AABBTreeFarAway, AnswersAsAllTrianglesDo)
       for (int n = 0; n < 100; ++n)
       {
         const Vec3 point = shift + random();
-        ASSERT_EQ(tree.closest(point).triangle, closestOfAll(tree, point)) << "at " << offset;
+        ASSERT_EQ(tree.closest(point).triangle, checks::closestOfAll(tree, point))
+          << "at " << offset;
         const Vec3 half = random(0.1).cwiseAbs();
         const Box query(Vec3(point - half), Vec3(point + half));
         const Ray ray(point, random());

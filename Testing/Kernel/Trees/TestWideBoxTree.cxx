@@ -3,8 +3,9 @@
 
 #include "Trees/WideBoxTree.h"
 
-#include "AllTriangles.h"
-#include "Distance/DistanceShapes.h"
+#include "Checks/AllTriangles.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Spheres.h"
 #include "Trees/AABBTree.h"
 
 #include <gtest/gtest.h>
@@ -16,16 +17,7 @@ namespace
 {
 
 using namespace evolving;
-using namespace evolving::test;
-
-SurfaceMesh placed(SurfaceMesh mesh, double scale, const Vec3& shift)
-{
-  for (Vec3& point : mesh.points)
-  {
-    point = scale * point + shift;
-  }
-  return mesh;
-}
+using namespace evolving::shapes;
 
 TEST(BoxRow, GapsAreThoseOfEachBox)
 {
@@ -67,14 +59,14 @@ TEST(WideBoxTree, FindsTheClosestAtAnyScaleAndPlace)
     for (const Vec3& shift :
       { Vec3(0.0, 0.0, 0.0), Vec3(300.0, -200.0, 100.0), Vec3(0.0, 1e7, 0.0) })
     {
-      const AABBTree tree(placed(randomSoup(200, 0.3, 7), scale, scale * shift));
+      const AABBTree tree(transformed(randomSoup(200, 0.3, 7), scale, scale * shift));
       for (const double distance : { 0.1, 1.0, 100.0, 1e5, 1e9 })
       {
         for (int n = 0; n < 20; ++n)
         {
           const Vec3 way(normal(random), normal(random), normal(random));
           const Vec3 point = scale * (shift + distance * way);
-          ASSERT_EQ(tree.closest(point).triangle, closestOfAll(tree, point))
+          ASSERT_EQ(tree.closest(point).triangle, checks::closestOfAll(tree, point))
             << "scale " << scale << ", shift " << shift.transpose() << ", distance " << distance;
         }
       }

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Distance/Signs/ComponentNesting.h"
-
-#include "Distance/DistanceShapes.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -35,7 +36,7 @@ struct Components
 
 TEST(ComponentNesting, MeasuresComponents)
 {
-  const Components parts({ box(Vec3(0, 0, 0), Vec3(1, 2, 3)), insideOut(sphere(2)), bowl(2, 0.2) });
+  const Components parts({ box(Vec3(0, 0, 0), Vec3(1, 2, 3)), reversed(sphere(2)), bowl(2, 0.2) });
   EXPECT_NEAR(parts.all[0].volume, 6.0, 1e-12);
   EXPECT_NEAR(parts.all[0].area, 22.0, 1e-12);
   EXPECT_TRUE(parts.all[0].isClosed);
@@ -58,7 +59,7 @@ TEST(ComponentNesting, DoesNotTakeAnOverlapForAnEnclosure)
   const Vec3 places[] = { Vec3(0.6, 0, 0), Vec3(-0.6, 0, 0), Vec3(0, 0.6, 0), Vec3(0, 0, -0.6) };
   for (const Vec3& place : places)
   {
-    const Components parts({ sphere(3), insideOut(sphere(3, 1.0, place)) });
+    const Components parts({ sphere(3), reversed(sphere(3, 1.0, place)) });
     EXPECT_EQ(
       outermostEnclosing(parts.mesh, parts.all, parts.ofFace), (std::vector<Index>{ 0, 1 }));
   }

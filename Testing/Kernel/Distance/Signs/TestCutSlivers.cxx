@@ -3,8 +3,9 @@
 
 #include "Distance/Signs/CutSlivers.h"
 
-#include "Distance/DistanceShapes.h"
 #include "Distance/Signs/WindingNumber.h"
+#include "Mesh/Angles.h"
+#include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@
 #include <random>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 namespace
 {

@@ -8,13 +8,20 @@
 #include "Distance/ClosestTriangles.h"
 #include "Distance/Signs/WindingNumber.h"
 
-#include "Distance/DistanceShapes.h"
 #include "Errors.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
+#include "Trees/AABBTree.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -53,8 +60,8 @@ long countInside(const std::vector<char>& flags)
 TEST(ChooseSignMethod, FollowsTheTopology)
 {
   EXPECT_EQ(automatic(sphere(2)), SignMethod::Pseudonormal);
-  EXPECT_EQ(automatic(torus(1.0, 0.3, 12, 8)), SignMethod::Pseudonormal);
-  EXPECT_EQ(automatic(insideOut(sphere(2))), SignMethod::Pseudonormal);
+  EXPECT_EQ(automatic(torus(12, 8, 1.0, 0.3)), SignMethod::Pseudonormal);
+  EXPECT_EQ(automatic(reversed(sphere(2))), SignMethod::Pseudonormal);
   EXPECT_EQ(
     automatic(turned(sphere(2), [](Index f) { return f % 2 == 0; })), SignMethod::Pseudonormal);
   EXPECT_EQ(automatic(merged(sphere(2), sphere(2, 1.0, Vec3(3, 0, 0)))), SignMethod::Pseudonormal);
@@ -82,13 +89,13 @@ TEST(ChooseSignMethod, GivesPointsNoInside)
 
 TEST(SamplesInside, AllMethodsAgreeOnClosedSurfaces)
 {
-  const SurfaceMesh shapes[] = { sphere(3), torus(1.0, 0.35, 40, 20),
+  const SurfaceMesh shapes[] = { sphere(3), torus(40, 20, 1.0, 0.35),
     box(Vec3(-1, -0.7, -0.4), Vec3(1, 0.7, 0.4)),
-    merged(sphere(2), insideOut(sphere(2, 1.0, Vec3(2.5, 0.1, 0)))),
-    turned(torus(1.0, 0.35, 40, 20), [](Index face) { return face % 3 == 0; }) };
+    merged(sphere(2), reversed(sphere(2, 1.0, Vec3(2.5, 0.1, 0)))),
+    turned(torus(40, 20, 1.0, 0.35), [](Index face) { return face % 3 == 0; }) };
   for (const SurfaceMesh& mesh : shapes)
   {
-    for (const SurfaceMesh& oriented : { mesh, insideOut(mesh) })
+    for (const SurfaceMesh& oriented : { mesh, reversed(mesh) })
     {
       const DistanceGrid grid = gridAround(boundingBox(mesh), { 31, 26, 28 }, 0.07);
       const std::vector<char> expected = inside(oriented, grid, SignMethod::Pseudonormal);
@@ -101,7 +108,7 @@ TEST(SamplesInside, AllMethodsAgreeOnClosedSurfaces)
 
 TEST(SamplesInside, AllMethodsAgreeWhereTheGridCutsTheSurface)
 {
-  const SurfaceMesh mesh = torus(1.0, 0.35, 40, 20);
+  const SurfaceMesh mesh = torus(40, 20, 1.0, 0.35);
   const DistanceGrid grids[] = { gridAround(
                                    Box(Vec3(0, 0, -0.1), Vec3(1.5, 1, 0.4)), { 24, 20, 15 }, 0.0),
     gridAround(boundingBox(mesh), { 40, 40, 1 }, 0.1) };
@@ -138,7 +145,7 @@ TEST(SamplesInside, WindingNumberAndFloodUniteOverlappingShells)
 
 TEST(SamplesInside, ACavityIsOutsideExceptForTheFlood)
 {
-  const SurfaceMesh mesh = merged(sphere(3), insideOut(sphere(3, 0.5)));
+  const SurfaceMesh mesh = merged(sphere(3), reversed(sphere(3, 0.5)));
   const DistanceGrid grid = gridAround(boundingBox(mesh), { 27, 27, 27 }, 0.1);
   const auto middle = static_cast<std::size_t>(grid.index(13, 13, 13));
   EXPECT_FALSE(inside(mesh, grid, SignMethod::Pseudonormal)[middle]);
@@ -151,7 +158,7 @@ TEST(SamplesInside, WindingNumberClosesHoles)
   // A sphere without every eleventh triangle.
   const SurfaceMesh mesh = without(sphere(4), [](Index face) { return face % 11 == 0; });
   const DistanceGrid grid = gridAround(boundingBox(mesh), { 25, 25, 25 }, 0.1);
-  for (const SurfaceMesh& oriented : { mesh, insideOut(mesh) })
+  for (const SurfaceMesh& oriented : { mesh, reversed(mesh) })
   {
     const std::vector<char> winding = inside(oriented, grid, SignMethod::WindingNumber);
     forEachSample(grid, Execution(),

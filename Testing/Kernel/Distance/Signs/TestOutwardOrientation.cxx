@@ -2,46 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Distance/Signs/OutwardOrientation.h"
-
-#include "Distance/DistanceShapes.h"
+#include "Mesh/Angles.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace evolving;
-using namespace evolving::test;
-
-namespace
-{
-
-/// Twisted by half a turn: one-sided.
-SurfaceMesh moebiusStrip(int count)
-{
-  SurfaceMesh mesh;
-  for (int n = 0; n < count; ++n)
-  {
-    const double u = 2.0 * Pi * n / count;
-    for (const double v : { -0.3, 0.3 })
-    {
-      const double r = 1.0 + v * std::cos(u / 2);
-      mesh.addPoint(Vec3(r * std::cos(u), r * std::sin(u), v * std::sin(u / 2)));
-    }
-  }
-  for (Index n = 0; n < count; ++n)
-  {
-    const bool last = n + 1 == count;
-    const Index low = last ? 1 : 2 * n + 2;
-    const Index high = last ? 0 : 2 * n + 3;
-    mesh.addFace({ 2 * n, low, high });
-    mesh.addFace({ 2 * n, high, 2 * n + 1 });
-  }
-  return mesh;
-}
-
-} // namespace
+using namespace evolving::shapes;
 
 TEST(OutwardOrientation, LeavesAnOutwardSurfaceAlone)
 {
-  const SurfaceMesh mesh = torus(1.0, 0.3, 20, 10);
+  const SurfaceMesh mesh = torus(20, 10, 1.0, 0.3);
   SurfaceMesh oriented = mesh;
   const OrientationSummary summary = orientOutwards(oriented);
   EXPECT_EQ(oriented.cornerVertices, mesh.cornerVertices);
@@ -55,7 +31,7 @@ TEST(OutwardOrientation, LeavesAnOutwardSurfaceAlone)
 
 TEST(OutwardOrientation, TurnsAnInsideOutSurface)
 {
-  SurfaceMesh mesh = insideOut(sphere(2));
+  SurfaceMesh mesh = reversed(sphere(2));
   const OrientationSummary summary = orientOutwards(mesh);
   EXPECT_EQ(summary.turnedFaces, mesh.faceCount());
   EXPECT_NEAR(signedVolume(mesh), signedVolume(sphere(2)), 1e-12);
@@ -72,7 +48,7 @@ TEST(OutwardOrientation, TurnsSingleFaces)
 
 TEST(OutwardOrientation, TurnsSeparateComponentsSeparately)
 {
-  SurfaceMesh mesh = merged(sphere(2), insideOut(sphere(2, 1.0, Vec3(3, 0, 0))));
+  SurfaceMesh mesh = merged(sphere(2), reversed(sphere(2, 1.0, Vec3(3, 0, 0))));
   const OrientationSummary summary = orientOutwards(mesh);
   EXPECT_EQ(summary.components, 2);
   EXPECT_FALSE(summary.componentsOverlap);
@@ -82,8 +58,8 @@ TEST(OutwardOrientation, TurnsSeparateComponentsSeparately)
 TEST(OutwardOrientation, KeepsACavityHollow)
 {
   const double shell = signedVolume(sphere(2)) * (1.0 - 0.125);
-  const SurfaceMesh hollow = merged(sphere(2), insideOut(sphere(2, 0.5)));
-  for (SurfaceMesh mesh : { hollow, insideOut(hollow) })
+  const SurfaceMesh hollow = merged(sphere(2), reversed(sphere(2, 0.5)));
+  for (SurfaceMesh mesh : { hollow, reversed(hollow) })
   {
     const OrientationSummary summary = orientOutwards(mesh);
     EXPECT_TRUE(summary.componentsOverlap);
@@ -93,7 +69,7 @@ TEST(OutwardOrientation, KeepsACavityHollow)
 
 TEST(OutwardOrientation, TurnsAnOpenBowlButNotASheet)
 {
-  SurfaceMesh inward = insideOut(bowl(3, 0.3));
+  SurfaceMesh inward = reversed(bowl(3, 0.3));
   const OrientationSummary summary = orientOutwards(inward);
   EXPECT_EQ(summary.turnedFaces, inward.faceCount());
   EXPECT_GT(summary.boundaryEdges, 0);
@@ -105,7 +81,7 @@ TEST(OutwardOrientation, TurnsAnOpenBowlButNotASheet)
 
 TEST(OutwardOrientation, ReportsAOneSidedSurface)
 {
-  SurfaceMesh mesh = moebiusStrip(24);
+  SurfaceMesh mesh = fanned(moebiusBand(24, 1.0, 0.3));
   const OrientationSummary summary = orientOutwards(mesh);
   EXPECT_FALSE(summary.isOriented());
   EXPECT_FALSE(summary.isClosed());

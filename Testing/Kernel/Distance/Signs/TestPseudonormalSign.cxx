@@ -5,16 +5,21 @@
 
 #include "Distance/ClosestPoint/ClosestOnGrid.h"
 #include "Distance/ClosestTriangles.h"
-#include "Distance/DistanceShapes.h"
 #include "Distance/Signs/Pseudonormals.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
 #include "Trees/TriangleGeometry.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <limits>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -52,8 +57,8 @@ constexpr double Everywhere = std::numeric_limits<double>::infinity();
 
 TEST(PseudonormalSign, CarriedAlongRowsIsThatOfEverySampleForItself)
 {
-  for (const SurfaceMesh& mesh : { sphere(3), torus(1.0, 0.35, 40, 20), insideOut(sphere(2)),
-         box(Vec3(-1, -0.6, -0.3), Vec3(1, 0.6, 0.3)), torus(1.0, 0.02, 60, 6) })
+  for (const SurfaceMesh& mesh : { sphere(3), torus(40, 20, 1.0, 0.35), reversed(sphere(2)),
+         box(Vec3(-1, -0.6, -0.3), Vec3(1, 0.6, 0.3)), torus(60, 6, 1.0, 0.02) })
   {
     const DistanceTarget target = makeDistanceTarget(mesh);
     ASSERT_TRUE(needsTrianglesNearSurfaceOnly(target.orientation));
@@ -89,7 +94,7 @@ TEST(PseudonormalSign, OfOpenSurfacesIsFoundForEverySample)
 TEST(PseudonormalSign, TakesRowsSampleBySampleWhereTheSurfaceCutsThroughItself)
 {
   // A torus whose tube is thicker than its ring: closed and oriented, but it meets itself.
-  const DistanceTarget target = makeDistanceTarget(torus(0.5, 0.9, 40, 30));
+  const DistanceTarget target = makeDistanceTarget(torus(40, 30, 0.5, 0.9));
   ASSERT_TRUE(needsTrianglesNearSurfaceOnly(target.orientation));
   const DistanceGrid grid = centeredGrid(target, { 41, 41, 41 });
   const UnsignedDistance samples = measured(target.mesh, grid, Everywhere);

@@ -3,7 +3,7 @@
 
 #include "Distance/Signs/Pseudonormals.h"
 
-#include "Distance/DistanceShapes.h"
+#include "Shapes/Polyhedra.h"
 #include "Trees/AABBTree.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <random>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 TEST(Pseudonormals, OfABoxPointAwayFromFacesEdgesAndVertices)
 {

@@ -3,17 +3,21 @@
 
 #include "Distance/Signs/WindingNumber.h"
 
-#include "Distance/DistanceShapes.h"
 #include "Errors.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
 #include "ThreadedExecution.h"
 #include "Trees/AABBTree.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -52,7 +56,7 @@ TEST(WindingNumber, IsFiniteOnTheTriangleAndForDegenerateOnes)
 
 TEST(WindingNumber, AgreesWithTheSumOverAllTriangles)
 {
-  for (const SurfaceMesh& mesh : { sphere(4), torus(1.0, 0.2, 60, 20), bowl(4, 0.2),
+  for (const SurfaceMesh& mesh : { sphere(4), torus(60, 20, 1.0, 0.2), bowl(4, 0.2),
          randomSoup(2000, 0.2, 3), box(Vec3(-1, -1, -1), Vec3(1, 1, 1)) })
   {
     const std::vector<Triangle> triangles = trianglesOf(mesh);

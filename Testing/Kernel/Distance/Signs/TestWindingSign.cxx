@@ -5,9 +5,12 @@
 
 #include "Distance/ClosestPoint/ClosestOnGrid.h"
 #include "Distance/ClosestTriangles.h"
-#include "Distance/DistanceShapes.h"
 #include "Distance/Signs/WindingNumber.h"
 #include "Errors.h"
+#include "Mesh/Angles.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
 #include "ThreadedExecution.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +21,7 @@
 #include <vector>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -67,13 +70,13 @@ SurfaceMesh unitBox(double half = 1.0)
 }
 
 /// Some of them with planes and edges where samples are, thinner than a cell and beside rows.
-std::vector<NamedShape> shapes()
+std::vector<NamedShape> namedShapes()
 {
   const auto everyNinth = [](Index face) { return face % 9 == 0; };
   const auto everyFiftieth = [](Index face) { return face % 50 == 7; };
   std::vector<NamedShape> all{
     { "box", unitBox() },
-    { "box in a box", merged(unitBox(), insideOut(unitBox(0.5))) },
+    { "box in a box", merged(unitBox(), reversed(unitBox(0.5))) },
     { "boxes that overlap", merged(unitBox(0.75), box(Vec3(0, 0, 0), Vec3(1, 1, 1))) },
     { "boxes with a face in common",
       merged(box(Vec3(-1, -1, -1), Vec3(0, 1, 1)), box(Vec3(0, -1, -1), Vec3(1, 1, 1))) },
@@ -128,7 +131,7 @@ double exactSum(const SurfaceMesh& mesh, const Vec3& point)
 
 TEST(WindingSign, IsThatOfTheExactSumAtEverySample)
 {
-  for (const NamedShape& shape : shapes())
+  for (const NamedShape& shape : namedShapes())
   {
     const DistanceTarget target = makeDistanceTarget(shape.mesh);
     const Box bounds = boundingBox(target.mesh);

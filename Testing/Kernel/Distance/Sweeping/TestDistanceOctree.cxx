@@ -3,17 +3,21 @@
 
 #include "Distance/Sweeping/DistanceOctree.h"
 
-#include "Distance/DistanceShapes.h"
 #include "Errors.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
 #include "ThreadedExecution.h"
+#include "Trees/AABBTree.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 #include <set>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -65,7 +69,7 @@ Cells cellsMeetingTriangles(const SurfaceMesh& mesh, const DistanceGrid& grid)
 
 TEST(DistanceOctree, LeavesAreExactlyTheCellsThatMeetTriangles)
 {
-  for (const SurfaceMesh& mesh : { sphere(2), torus(1.0, 0.3, 20, 10), randomSoup(40, 0.6, 3) })
+  for (const SurfaceMesh& mesh : { sphere(2), torus(20, 10, 1.0, 0.3), randomSoup(40, 0.6, 3) })
   {
     const DistanceGrid grid = gridAround(boundingBox(mesh), { 17, 20, 23 }, 0.1);
     const DistanceOctree octree(AABBTree(mesh), grid);

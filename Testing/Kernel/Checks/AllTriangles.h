@@ -3,17 +3,21 @@
 
 /**
  * @file
- * What a tree is to answer, by looking at every triangle.
+ * What a tree or a grid of distances is to answer, by looking at every triangle.
  */
 
 #ifndef EVOLVING_TESTING_ALL_TRIANGLES_H
 #define EVOLVING_TESTING_ALL_TRIANGLES_H
 
+#include "Mesh/SurfaceMesh.h"
 #include "Trees/AABBTree.h"
+#include "Trees/TriangleGeometry.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
-namespace evolving::test
+namespace evolving::checks
 {
 
 /// Of several at the same distance the first.
@@ -33,6 +37,18 @@ inline Index closestOfAll(const AABBTree& tree, const Vec3& point)
   return closest;
 }
 
-} // namespace evolving::test
+/// The distance by the definition: segments and points are as good as other triangles.
+inline double distanceToAll(const SurfaceMesh& mesh, const Vec3& point)
+{
+  double squared = std::numeric_limits<double>::infinity();
+  for (Index face = 0; face < mesh.faceCount(); ++face)
+  {
+    squared =
+      std::min(squared, closestPointOnTriangle(point, triangleOf(mesh, face)).squaredDistance);
+  }
+  return std::sqrt(squared);
+}
+
+} // namespace evolving::checks
 
 #endif
