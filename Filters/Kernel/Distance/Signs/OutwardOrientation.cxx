@@ -165,11 +165,12 @@ void countEdges(const SurfaceMesh& mesh, const TriangleEdges& edges, Orientation
     if (upwards != 0)
     {
       const Index corner = *edges.begin(edge);
-      const Index from = mesh.faceVertex(corner / 3, corner % 3);
-      const Index to = mesh.faceVertex(corner / 3, (corner + 1) % 3);
-      const Vec3 along = mesh.points[at(to)] - mesh.points[at(from)];
-      summary.openLength += std::abs(upwards) * along.norm();
-      summary.openEdges.push_back({ from, to });
+      const Index a = mesh.faceVertex(corner / 3, corner % 3);
+      const Index b = mesh.faceVertex(corner / 3, (corner + 1) % 3);
+      const std::array<Index, 2> along{ upwards > 0 ? std::min(a, b) : std::max(a, b),
+        upwards > 0 ? std::max(a, b) : std::min(a, b) };
+      summary.openLength += std::abs(upwards) * (mesh.points[at(b)] - mesh.points[at(a)]).norm();
+      summary.openEdges.insert(summary.openEdges.end(), at(std::abs(upwards)), along);
     }
   }
 }

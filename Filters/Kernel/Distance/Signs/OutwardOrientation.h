@@ -29,7 +29,8 @@ struct OrientationSummary
   Index conflictingEdges = 0;     ///< edges whose two faces still disagree: a one-sided surface
   bool componentsOverlap = false; ///< do the boxes of two components intersect?
   double openLength = 0.0;        ///< of the edges along which directed faces do not cancel
-  std::vector<std::array<Index, 2>> openEdges; ///< these edges, by their vertices
+  /// These edges, from vertex to vertex as the faces run that nothing cancels, once for each face.
+  std::vector<std::array<Index, 2>> openEdges;
 
   bool isClosed() const { return this->boundaryEdges == 0 && this->nonManifoldEdges == 0; }
   bool isOriented() const { return this->conflictingEdges == 0; }

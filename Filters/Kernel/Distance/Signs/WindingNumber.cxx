@@ -3,7 +3,6 @@
 
 #include "Distance/Signs/WindingNumber.h"
 
-#include "Distance/Signs/CutSlivers.h"
 #include "Mesh/Angles.h"
 
 #include <algorithm>
@@ -54,7 +53,7 @@ double windingNumber(const Triangle& triangle, const Vec3& point)
 }
 
 WindingNumber::WindingNumber(const std::vector<Triangle>& triangles, const Execution& execution)
-  : Triangles(withSliversCut(triangles))
+  : Triangles(triangles)
 {
   if (triangles.empty())
   {

@@ -78,7 +78,7 @@ private:
   void fillMoments(Node& node) const;
   static double expansion(const Node& node, const Vec3& toCenter, double squaredDistance);
 
-  std::vector<Triangle> Triangles; ///< long ones cut, in the order of the leaves
+  std::vector<Triangle> Triangles; ///< in the order of the leaves
   std::vector<Node> Nodes;
 };
 

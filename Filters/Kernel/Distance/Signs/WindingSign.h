@@ -25,8 +25,9 @@ constexpr double WindingThreshold = 0.5;
 /**
  * The winding number at every sample, evaluated only where it may have passed the threshold unseen
  * since it was last. Along a row of samples it changes by one at each crossing of the surface, and
- * these a ray finds; besides only by the field of the surface's open edges, by Biot and Savart at
- * most length / (4 pi distance^2) per unit of way.
+ * these a ray finds; besides only by the field of the surface's open edges (OpenEdgeField). Where
+ * that may be too much, it is a whole number, which crossings of the surface and its caps change
+ * (OpenEdgeCaps.h), less the winding number of the few caps.
  * @param clearance a lower bound for the distance of each sample to the surface
  * @return not 0 for samples inside: as if evaluated at every one
  * @throws Cancelled

@@ -100,3 +100,26 @@ TEST(OutwardOrientation, ReportsEdgesOfMoreThanTwoFaces)
   EXPECT_EQ(summary.openLength, 0.0);
   EXPECT_NEAR(signedVolume(mesh), 2.0, 1e-12);
 }
+
+TEST(OutwardOrientation, GivesOpenEdgesAsFacesRunAlongThemOnceForEachFace)
+{
+  SurfaceMesh mesh;
+  mesh.points = { Vec3(0, 0, 0), Vec3(0, 0, 2), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(-1, -1, 0) };
+  for (const Index tip : { 2, 3, 4 })
+  {
+    mesh.addFace({ 1, 0, tip });
+  }
+  const OrientationSummary summary = orientOutwards(mesh);
+  std::vector<std::array<Index, 2>> expected;
+  for (Index face = 0; face < mesh.faceCount(); ++face)
+  {
+    for (Index k = 0; k < 3; ++k)
+    {
+      expected.push_back({ mesh.faceVertex(face, k), mesh.faceVertex(face, (k + 1) % 3) });
+    }
+  }
+  std::vector<std::array<Index, 2>> open = summary.openEdges;
+  std::sort(open.begin(), open.end());
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(open, expected);
+}

@@ -32,8 +32,8 @@ struct NamedShape
   SurfaceMesh mesh;
 };
 
-/// The unit circle's profile turned about z: walls of triangles 300 times as long as wide.
-SurfaceMesh longSlivers(int around)
+/// A profile turned about z: walls of triangles far longer than wide, open at both ends or not.
+SurfaceMesh longSlivers(int around, bool isOpen = false)
 {
   const double radius[] = { 0.2, 1.0, 1.0, 0.3 };
   const double height[] = { -1.5, -1.2, 1.1, 1.4 };
@@ -58,8 +58,11 @@ SurfaceMesh longSlivers(int around)
       mesh.addFace({ a + ring, b + ring, b + ring + 1 });
       mesh.addFace({ a + ring, b + ring + 1, a + ring + 1 });
     }
-    mesh.addFace({ bottom, b, a });
-    mesh.addFace({ top, a + 3, b + 3 });
+    if (!isOpen)
+    {
+      mesh.addFace({ bottom, b, a });
+      mesh.addFace({ top, a + 3, b + 3 });
+    }
   }
   return mesh;
 }
@@ -90,6 +93,13 @@ std::vector<NamedShape> namedShapes()
     { "soup", randomSoup(300, 0.5, 3) },
     { "soup of small triangles", randomSoup(1000, 0.05, 4) },
     { "slivers", longSlivers(150) },
+    { "slivers between two rims", longSlivers(150, true) },
+    { "box without two sides in planes of samples",
+      without(unitBox(0.5), [](Index face) { return face < 4; }) },
+    { "two boxes that share a side's place, both without it",
+      merged(without(box(Vec3(-1, -1, -1), Vec3(0, 1, 1)), [](Index f) { return f > 9; }),
+        without(box(Vec3(0, -1, -1), Vec3(1, 1, 1)), [](Index f) { return f == 8; })) },
+    { "ball with wrong faces and holes", without(turned(sphere(3), everyNinth), everyFiftieth) },
     { "slivers with holes", without(longSlivers(150), everyFiftieth) },
   };
   // A wedge whose caps lie in planes of samples; its walls stand askew.
