@@ -75,7 +75,7 @@ private:
     for (const Vec3& point : surface.points)
     {
       requireStated(
-        "radius", (point - centre).norm(), radius, 4.0 * unit * (radius + centre.norm()));
+        "radius", (point - centre).stableNorm(), radius, 4.0 * unit * (radius + centre.norm()));
     }
   }
 

@@ -4,11 +4,15 @@
 #include "Distance/Signs/OpenEdgeCaps.h"
 
 #include "Distance/ClosestTriangles.h"
-#include "Distance/DistanceShapes.h"
 #include "Distance/DistanceTarget.h"
 #include "Distance/Signs/WindingNumber.h"
+#include "Mesh/Angles.h"
 #include "Mesh/MeshQuality.h"
 #include "Mesh/TriangleEdges.h"
+#include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
+#include "Shapes/Spheres.h"
+#include "Shapes/Tubes.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +21,7 @@
 #include <vector>
 
 using namespace evolving;
-using namespace evolving::test;
+using namespace evolving::shapes;
 
 namespace
 {
@@ -72,7 +76,7 @@ std::vector<SurfaceMesh> openShapes()
     without(turned(sphere(3), everyNinth), everyFiftieth), randomSoup(200, 0.5, 3),
     sheetsAroundAnEdge(),
     without(box(Vec3(-1, -1, -1), Vec3(1, 1, 1)), [](Index f) { return f < 2; }),
-    merged(bowl(2, 0.1), insideOut(bowl(2, -0.2))), without(torus(1.0, 0.3, 30, 12), everyNinth) };
+    merged(bowl(2, 0.1), reversed(bowl(2, -0.2))), without(torus(30, 12, 1.0, 0.3), everyNinth) };
 }
 
 /// A ring of n edges round a cylinder's end.
