@@ -47,14 +47,12 @@ std::vector<float> normalizedDifferences(
   return gradient;
 }
 
-std::vector<float> awayFromClosest(const DistanceTarget& target, const DistanceGrid& grid,
+std::vector<float> awayFromClosest(const SurfaceMesh& mesh, const DistanceGrid& grid,
   const std::vector<Index>& triangles, const std::vector<char>& inside, bool isSigned,
   const Execution& execution)
 {
   std::vector<float> gradient(3 * triangles.size());
-  const SurfaceMesh& mesh = target.mesh;
-  const Pseudonormals normals =
-    isSigned ? Pseudonormals(mesh, target.edges) : Pseudonormals(SurfaceMesh());
+  const Pseudonormals normals(isSigned ? mesh : SurfaceMesh());
   const double tooClose = 1e-6 * grid.spacing.minCoeff();
   forEachSample(grid, execution,
     [&](GridIndex sample, const Vec3& point)

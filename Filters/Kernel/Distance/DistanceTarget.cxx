@@ -134,8 +134,7 @@ DistanceTarget makeDistanceTarget(const SurfaceMesh& mesh, const Execution& exec
   }
   if (!target.isPointSet)
   {
-    target.edges = TriangleEdges(target.mesh);
-    target.orientation = orientOutwards(target.mesh, target.edges);
+    target.orientation = orientOutwards(target.mesh);
   }
   return target;
 }

@@ -12,7 +12,6 @@
 #include "Distance/Signs/OutwardOrientation.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
-#include "Mesh/TriangleEdges.h"
 #include "Types.h"
 
 #include <vector>
@@ -26,8 +25,7 @@ struct DistanceTarget
   std::vector<Index> oldNumber; ///< of each triangle: the input's face, or point of a point set
   Vec3 center = Vec3::Zero();   ///< of the input's bounding box
   bool isPointSet = false;
-  OrientationSummary orientation;       ///< of a surface
-  TriangleEdges edges{ SurfaceMesh() }; ///< of a surface, of its triangles as they are here
+  OrientationSummary orientation; ///< of a surface
 };
 
 /**

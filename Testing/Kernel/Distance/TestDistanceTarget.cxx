@@ -11,8 +11,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <utility>
-#include <vector>
 
 using namespace evolving;
 using namespace evolving::shapes;
@@ -44,26 +42,6 @@ TEST(DistanceTarget, KeepsOneOfDuplicateFaces)
   EXPECT_EQ(target.mesh.faceCount(), sphere(1).faceCount());
   EXPECT_TRUE(target.orientation.isClosed());
   EXPECT_GT(signedVolume(target.mesh), 1.0);
-}
-
-TEST(DistanceTarget, HasTheEdgesOfItsTurnedTriangles)
-{
-  SurfaceMesh mesh = sphere(1);
-  for (Index face = 0; face < mesh.faceCount(); face += 3)
-  {
-    std::swap(mesh.cornerVertices[at(3 * face + 1)], mesh.cornerVertices[at(3 * face + 2)]);
-  }
-  const DistanceTarget target = makeDistanceTarget(mesh);
-  ASSERT_GT(target.orientation.turnedFaces, 0);
-  const TriangleEdges edges(target.mesh);
-  ASSERT_EQ(target.edges.edgeCount(), edges.edgeCount());
-  for (Index corner = 0; corner < target.mesh.cornerCount(); ++corner)
-  {
-    const Index edge = edges.edgeOf(corner);
-    const Index same = target.edges.edgeOf(corner);
-    EXPECT_EQ(std::vector<Index>(target.edges.begin(same), target.edges.end(same)),
-      std::vector<Index>(edges.begin(edge), edges.end(edge)));
-  }
 }
 
 TEST(DistanceTarget, LiesAtItsCentre)

@@ -5,6 +5,7 @@
 
 #include "Distance/Signs/ComponentNesting.h"
 #include "Mesh/Angles.h"
+#include "Mesh/TriangleEdges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -177,8 +178,9 @@ void countEdges(const SurfaceMesh& mesh, const TriangleEdges& edges, Orientation
 
 } // namespace
 
-OrientationSummary orientOutwards(SurfaceMesh& mesh, TriangleEdges& edges)
+OrientationSummary orientOutwards(SurfaceMesh& mesh)
 {
+  TriangleEdges edges(mesh);
   const ConsistentTurns consistent(mesh, edges);
   turnMarked(mesh, edges, consistent.Turned);
   const std::vector<SurfaceComponent> components =
@@ -196,12 +198,6 @@ OrientationSummary orientOutwards(SurfaceMesh& mesh, TriangleEdges& edges)
   summary.componentsOverlap = boxesIntersect(components);
   countEdges(mesh, edges, summary);
   return summary;
-}
-
-OrientationSummary orientOutwards(SurfaceMesh& mesh)
-{
-  TriangleEdges edges(mesh);
-  return orientOutwards(mesh, edges);
 }
 
 } // namespace evolving

@@ -10,7 +10,6 @@
 #define EVOLVING_OUTWARD_ORIENTATION_H
 
 #include "Mesh/SurfaceMesh.h"
-#include "Mesh/TriangleEdges.h"
 #include "Types.h"
 
 #include <array>
@@ -45,9 +44,6 @@ struct OrientationSummary
  * @param mesh of triangles only; corner order is changed, face numbers are not
  */
 OrientationSummary orientOutwards(SurfaceMesh& mesh);
-
-/// The same with the mesh's edges, which are turned with its faces.
-OrientationSummary orientOutwards(SurfaceMesh& mesh, TriangleEdges& edges);
 
 } // namespace evolving
 

@@ -3,6 +3,7 @@
 
 #include "Distance/Signs/Pseudonormals.h"
 
+#include "Mesh/TriangleEdges.h"
 #include "Mesh/VertexNormals.h"
 
 namespace evolving
@@ -26,16 +27,12 @@ Vec3 unitNormal(const SurfaceMesh& mesh, Index face)
 } // namespace
 
 Pseudonormals::Pseudonormals(const SurfaceMesh& mesh)
-  : Pseudonormals(mesh, TriangleEdges(mesh))
-{
-}
-
-Pseudonormals::Pseudonormals(const SurfaceMesh& mesh, const TriangleEdges& edges)
   : OfFace(indexOf(mesh.faceCount()))
   , OfVertex(angleWeightedNormals(mesh))
   , EdgeOfCorner(indexOf(mesh.cornerCount()))
   , VertexOfCorner(mesh.cornerVertices)
 {
+  const TriangleEdges edges(mesh);
   this->OfEdge.assign(indexOf(edges.edgeCount()), Vec3::Zero());
   for (Index face = 0; face < mesh.faceCount(); ++face)
   {

@@ -10,7 +10,6 @@
 #define EVOLVING_PSEUDONORMALS_H
 
 #include "Mesh/SurfaceMesh.h"
-#include "Mesh/TriangleEdges.h"
 #include "Trees/TriangleGeometry.h"
 
 #include <vector>
@@ -30,8 +29,6 @@ class Pseudonormals
 public:
   /// @param mesh of triangles only
   explicit Pseudonormals(const SurfaceMesh& mesh);
-  /// The same where the mesh's edges are there already.
-  Pseudonormals(const SurfaceMesh& mesh, const TriangleEdges& edges);
 
   /// The normal at a feature of a face; not of unit length, zero where no face has an area.
   const Vec3& at(Index face, TriangleFeature feature) const;
