@@ -102,7 +102,10 @@ TEST(CloseCurves, OfDifferentSurfacesMayBeClose)
 TEST(CloseCurves, MayMeetInACorner)
 {
   // Near their corners the edges of a box are close to each other.
-  EXPECT_EQ(sharpAfter(box(Vec3(0, 0, 0), Vec3(1, 1, 1)), 0.15), 12u);
+  const SurfaceMesh cube = box(Vec3(0, 0, 0), Vec3(1, 1, 1));
+  EXPECT_EQ(sharpAfter(cube, 0.15), 12u);
+  // And where that is for more than half their way.
+  EXPECT_EQ(sharpAfter(cube, 0.3), 12u);
   // Of a plate thinner than the distance, one rim of two remains, and no edge across.
   const std::size_t plate = sharpAfter(box(Vec3(0, 0, 0), Vec3(1, 1, 0.05)), 0.15);
   EXPECT_LT(plate, 12u);
