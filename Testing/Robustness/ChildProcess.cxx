@@ -14,6 +14,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 #include <system_error>
 
@@ -83,6 +86,25 @@ std::string tellingLine(const std::string& text)
     last = line.empty() ? last : line;
   }
   return last;
+}
+
+/// Does no thread of a process want to run? Where the system does not tell, yes.
+bool isIdle(int process)
+{
+  std::error_code unknown;
+  const std::filesystem::path threads = "/proc/" + std::to_string(process) + "/task";
+  for (const auto& thread : std::filesystem::directory_iterator(threads, unknown))
+  {
+    std::ifstream stream(thread.path() / "stat");
+    const std::string text(std::istreambuf_iterator<char>(stream), {});
+    const std::size_t name = text.rfind(')'); // the state follows the name, which may be anything
+    const char state = name + 2 < text.size() ? text[name + 2] : ' ';
+    if (state == 'R' || state == 'D')
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 std::string field(std::istringstream& line)
@@ -205,7 +227,9 @@ void ChildPool::endOverdue()
   const auto now = std::chrono::steady_clock::now();
   for (Child& child : this->Running)
   {
-    if (!child.isOverdue && now - child.start > std::chrono::seconds(this->Limits.wallSeconds))
+    // Who wants to run only waits for a busy machine: his processor time is limited.
+    if (!child.isOverdue && now - child.start > std::chrono::seconds(this->Limits.wallSeconds) &&
+      isIdle(child.process))
     {
       child.isOverdue = true;
       kill(child.process, SIGKILL);
