@@ -3,43 +3,15 @@
 
 #include "BaseShapes.h"
 
+#include "ShapeParts.h"
+
 #include <cmath>
-#include <map>
 
 namespace robustness
 {
 
 namespace
 {
-
-constexpr double Pi = 3.14159265358979323846;
-
-/// A surface over a grid of parameters; wrapped sides are joined to their opposite ones.
-template <typename Map>
-Model lattice(int nu, int nv, bool wrapU, bool wrapV, const Map& map)
-{
-  Model model;
-  const int pointsU = wrapU ? nu : nu + 1;
-  const int pointsV = wrapV ? nv : nv + 1;
-  for (int j = 0; j < pointsV; ++j)
-  {
-    for (int i = 0; i < pointsU; ++i)
-    {
-      model.addPoint(map(double(i) / nu, double(j) / nv));
-    }
-  }
-  const auto id = [&](int i, int j) -> std::int64_t
-  { return std::int64_t(j % pointsV) * pointsU + i % pointsU; };
-  for (int j = 0; j < nv; ++j)
-  {
-    for (int i = 0; i < nu; ++i)
-    {
-      model.addPolygon({ id(i, j), id(i + 1, j), id(i + 1, j + 1) });
-      model.addPolygon({ id(i, j), id(i + 1, j + 1), id(i, j + 1) });
-    }
-  }
-  return model;
-}
 
 /// Turns a profile of (radius, height) with radius 0 at both ends around the z axis.
 Model revolved(const std::vector<std::array<double, 2>>& profile, int n)
@@ -239,144 +211,7 @@ Model makeQuadSphere(Random& random)
   return model;
 }
 
-Model makeSheet(Random& random)
-{
-  const double wave = random.chance(0.5) ? 0.0 : random.real(0.0, 0.3);
-  return lattice(random.integer(1, 12), random.integer(1, 12), false, false,
-    [wave](double u, double v) -> Vec3 {
-      return { 2.0 * u - 1.0, 2.0 * v - 1.0, wave * std::sin(6.0 * u) * std::cos(5.0 * v) };
-    });
-}
-
-Model makeTube(Random& random)
-{
-  const double radius = random.logarithmic(0.05, 0.8);
-  return lattice(random.integer(3, 16), random.integer(1, 8), true, false,
-    [radius](double u, double v) -> Vec3 {
-      return { radius * std::cos(2.0 * Pi * u), radius * std::sin(2.0 * Pi * u), 2.0 * v - 1.0 };
-    });
-}
-
-/// Half turns of a band: joined by coordinates, one-sided for an odd number.
-Model makeBand(Random& random)
-{
-  const int halfTurns = random.integer(1, 3);
-  const int n = random.integer(12, 40);
-  Model model = lattice(n, 2, false, false,
-    [halfTurns](double u, double v) -> Vec3
-    {
-      const double twist = halfTurns * Pi * u;
-      const double radius = 1.0 + 0.4 * (v - 0.5) * std::cos(twist);
-      return { radius * std::cos(2.0 * Pi * u), radius * std::sin(2.0 * Pi * u),
-        0.4 * (v - 0.5) * std::sin(twist) };
-    });
-  for (int j = 0; j <= 2; ++j)
-  {
-    const int other = halfTurns % 2 == 0 ? j : 2 - j;
-    model.points[std::size_t(j * (n + 1) + n)] = model.points[std::size_t(other * (n + 1))];
-  }
-  return model;
-}
-
-/// Crosses itself along a circle, and has no inside.
-Model makeKleinBottle(Random& random)
-{
-  const int n = random.integer(10, 24);
-  return lattice(n, 12, true, true,
-    [](double u, double v) -> Vec3
-    {
-      const double a = 2.0 * Pi * u, b = 2.0 * Pi * v;
-      const double r =
-        2.0 + std::cos(0.5 * a) * std::sin(b) - std::sin(0.5 * a) * std::sin(2.0 * b);
-      return Vec3(r * std::cos(a), r * std::sin(a),
-               std::sin(0.5 * a) * std::sin(b) + std::cos(0.5 * a) * std::sin(2.0 * b)) /
-        3.0;
-    });
-}
-
 } // namespace
-
-Model icosphere(int level, double radius, const Vec3& centre)
-{
-  const double g = 0.5 * (1.0 + std::sqrt(5.0));
-  Model model;
-  model.points = { { -1, g, 0 }, { 1, g, 0 }, { -1, -g, 0 }, { 1, -g, 0 }, { 0, -1, g },
-    { 0, 1, g }, { 0, -1, -g }, { 0, 1, -g }, { g, 0, -1 }, { g, 0, 1 }, { -g, 0, -1 },
-    { -g, 0, 1 } };
-  model.polygons = { { 0, 11, 5 }, { 0, 5, 1 }, { 0, 1, 7 }, { 0, 7, 10 }, { 0, 10, 11 },
-    { 1, 5, 9 }, { 5, 11, 4 }, { 11, 10, 2 }, { 10, 7, 6 }, { 7, 1, 8 }, { 3, 9, 4 }, { 3, 4, 2 },
-    { 3, 2, 6 }, { 3, 6, 8 }, { 3, 8, 9 }, { 4, 9, 5 }, { 2, 4, 11 }, { 6, 2, 10 }, { 8, 6, 7 },
-    { 9, 8, 1 } };
-  for (int l = 0; l < level; ++l)
-  {
-    std::map<std::pair<std::int64_t, std::int64_t>, std::int64_t> middles;
-    const auto middle = [&](std::int64_t a, std::int64_t b)
-    {
-      const auto [place, isNew] = middles.try_emplace(std::minmax(a, b), 0);
-      if (isNew)
-      {
-        place->second =
-          model.addPoint(0.5 * (model.points[std::size_t(a)] + model.points[std::size_t(b)]));
-      }
-      return place->second;
-    };
-    std::vector<Cell> split;
-    for (const Cell& t : model.polygons)
-    {
-      const std::int64_t ab = middle(t[0], t[1]), bc = middle(t[1], t[2]), ca = middle(t[2], t[0]);
-      split.insert(
-        split.end(), { { t[0], ab, ca }, { t[1], bc, ab }, { t[2], ca, bc }, { ab, bc, ca } });
-    }
-    model.polygons = split;
-  }
-  for (Vec3& point : model.points)
-  {
-    point = centre + radius * point.normalized();
-  }
-  return closed(model);
-}
-
-Model box(const Vec3& halfSides, const std::array<int, 3>& cells)
-{
-  Model model;
-  std::map<std::array<int, 3>, std::int64_t> ids;
-  const auto id = [&](const std::array<int, 3>& place)
-  {
-    const auto [found, isNew] = ids.try_emplace(place, 0);
-    if (isNew)
-    {
-      Vec3 point;
-      for (int a = 0; a < 3; ++a)
-      {
-        const auto axis = std::size_t(a);
-        point[a] = halfSides[a] * (2.0 * place[axis] / cells[axis] - 1.0);
-      }
-      found->second = model.addPoint(point);
-    }
-    return found->second;
-  };
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-    for (int i = 0; i < cells[u]; ++i)
-    {
-      for (int j = 0; j < cells[v]; ++j)
-      {
-        const auto corner = [&](int side, int di, int dj)
-        {
-          std::array<int, 3> place{};
-          place[axis] = side * cells[axis];
-          place[u] = i + di;
-          place[v] = j + dj;
-          return id(place);
-        };
-        model.addPolygon({ corner(1, 0, 0), corner(1, 1, 0), corner(1, 1, 1), corner(1, 0, 1) });
-        model.addPolygon({ corner(0, 0, 0), corner(0, 0, 1), corner(0, 1, 1), corner(0, 1, 0) });
-      }
-    }
-  }
-  return closed(model);
-}
 
 const std::vector<BaseShape>& baseShapes()
 {

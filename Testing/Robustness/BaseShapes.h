@@ -9,7 +9,7 @@
 #ifndef ROBUSTNESS_BASE_SHAPES_H
 #define ROBUSTNESS_BASE_SHAPES_H
 
-#include "Model.h"
+#include "ShapeParts.h"
 
 #include <vector>
 
@@ -23,12 +23,6 @@ struct BaseShape
 };
 
 const std::vector<BaseShape>& baseShapes();
-
-///@{
-/// Parts that defects add.
-Model icosphere(int level, double radius, const Vec3& centre);
-Model box(const Vec3& halfSides, const std::array<int, 3>& cells);
-///@}
 
 } // namespace robustness
 

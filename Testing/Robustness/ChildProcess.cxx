@@ -9,11 +9,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 #include <system_error>
 
@@ -85,64 +87,26 @@ std::string tellingLine(const std::string& text)
   return last;
 }
 
-std::string field(std::istringstream& line)
+/// Does no thread of a process want to run? Where the system does not tell, yes.
+bool isIdle(int process)
 {
-  std::string text;
-  std::getline(line, text, '\t');
-  return text;
-}
-
-/// What a child has told: false without a verdict.
-bool readTold(const std::string& told, ChildResult& result)
-{
-  std::istringstream stream(told);
-  bool hasVerdict = false;
-  for (std::string text; std::getline(stream, text);)
+  std::error_code unknown;
+  const std::filesystem::path threads = "/proc/" + std::to_string(process) + "/task";
+  for (const auto& thread : std::filesystem::directory_iterator(threads, unknown))
   {
-    std::istringstream line(text);
-    const std::string kind = field(line);
-    if (kind == "D")
+    std::ifstream stream(thread.path() / "stat");
+    const std::string text(std::istreambuf_iterator<char>(stream), {});
+    const std::size_t name = text.rfind(')'); // the state follows the name, which may be anything
+    const char state = name + 2 < text.size() ? text[name + 2] : ' ';
+    if (state == 'R' || state == 'D')
     {
-      result.description = field(line);
-    }
-    else if (kind == "V")
-    {
-      result.verdict.outcome = static_cast<Outcome>(std::stoi(field(line)));
-      result.verdict.fault = static_cast<Fault>(std::stoi(field(line)));
-      result.verdict.what = field(line);
-      hasVerdict = true;
+      return false;
     }
   }
-  return hasVerdict;
+  return true;
 }
 
 } // namespace
-
-void Messenger::send(std::string line) const
-{
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  line += '\n';
-  for (std::size_t sent = 0; sent < line.size();)
-  {
-    const ssize_t part = write(this->Pipe, line.data() + sent, line.size() - sent);
-    if (part <= 0)
-    {
-      _exit(1); // nobody listens any more
-    }
-    sent += static_cast<std::size_t>(part);
-  }
-}
-
-void Messenger::describe(const std::string& text) const
-{
-  this->send("D\t" + text);
-}
-
-void Messenger::conclude(const Verdict& verdict) const
-{
-  this->send("V\t" + std::to_string(static_cast<int>(verdict.outcome)) + "\t" +
-    std::to_string(static_cast<int>(verdict.fault)) + "\t" + verdict.what);
-}
 
 ChildPool::ChildPool(const ChildLimits& limits, Work work)
   : Limits(limits)
@@ -205,7 +169,9 @@ void ChildPool::endOverdue()
   const auto now = std::chrono::steady_clock::now();
   for (Child& child : this->Running)
   {
-    if (!child.isOverdue && now - child.start > std::chrono::seconds(this->Limits.wallSeconds))
+    // Who wants to run only waits for a busy machine: his processor time is limited.
+    if (!child.isOverdue && now - child.start > std::chrono::seconds(this->Limits.wallSeconds) &&
+      isIdle(child.process))
     {
       child.isOverdue = true;
       kill(child.process, SIGKILL);

@@ -9,7 +9,7 @@
 #ifndef ROBUSTNESS_CHILD_PROCESS_H
 #define ROBUSTNESS_CHILD_PROCESS_H
 
-#include "Verdict.h"
+#include "ChildMessages.h"
 
 #include <chrono>
 #include <cstdint>
@@ -30,31 +30,8 @@ constexpr bool IsSanitized = false;
 struct ChildLimits
 {
   int cpuSeconds = 20;
-  int wallSeconds = 300; ///< for those that wait for ever: a busy machine must not make time-outs
+  int wallSeconds = 300; ///< for those that wait for ever: a busy machine makes no time-outs
   std::size_t bytes = std::size_t(2) << 30; ///< not under sanitizers
-};
-
-/// Hands what the work is, and its verdict, from the child to the parent.
-class Messenger
-{
-public:
-  explicit Messenger(int pipe)
-    : Pipe(pipe)
-  {
-  }
-  void describe(const std::string& text) const;
-  void conclude(const Verdict& verdict) const;
-
-private:
-  void send(std::string line) const;
-  int Pipe;
-};
-
-struct ChildResult
-{
-  std::uint64_t seed = 0;
-  std::string description;
-  Verdict verdict;
 };
 
 /**

@@ -117,6 +117,7 @@ void splitFaces(Model& model, Random& random, const Vec3& weights)
     model.addPolygon({ t[1], t[2], middle });
     model.addPolygon({ t[2], t[0], middle });
   }
+  model.hasSplits = true;
   model.isClean = false;
   if (model.hasDuplicates)
   {

@@ -48,6 +48,8 @@ struct Model
   bool isClean = false;
   /// Some faces are there more than once; when one of them is split, the solid is no longer known.
   bool hasDuplicates = false;
+  /// Triangles have been split into thin ones, which rounding may turn over.
+  bool hasSplits = false;
 
   std::int64_t addPoint(const Vec3& point);
   void addPolygon(const Cell& corners) { this->polygons.push_back(corners); }

@@ -33,6 +33,15 @@ bool isTrue(const Model& model)
     smallestOuterVolume(solid) > 0.0;
 }
 
+/// Do thin triangles, as rounded, still lie side by side?
+bool areSplitsTrue(const Model& model, const Surface& joined)
+{
+  const bool canTell = !model.hasDuplicates &&
+    std::all_of(
+      joined.faces.begin(), joined.faces.end(), [](const Cell& face) { return face.size() == 3; });
+  return !model.hasSplits || (canTell && intersectionsOf(joined) == 0);
+}
+
 /// Of a point set, only vertices count, or all points where there is none.
 bool hasWrongVertices(const Model& model)
 {
@@ -86,7 +95,7 @@ Subject::Subject(const Model& made)
     this->topology = topologyOf(this->joined);
     this->measure();
   }
-  if (this->isSolid() && !isTrue(this->model))
+  if (this->isSolid() && !(isTrue(this->model) && areSplitsTrue(this->model, this->joined)))
   {
     this->model.forgetSolid();
   }
