@@ -178,7 +178,10 @@ TEST(Abort, ReachesTheReadingOfAHugePolygon)
     };
     filter->SetInputDataObject(surface);
     filter->Update();
-    EXPECT_EQ(log.Progress, std::vector<double>(15, 0.0));
+    // VTK ends every update with a 1 of its own.
+    std::vector<double> expected(15, 0.0);
+    expected.push_back(1.0);
+    EXPECT_EQ(log.Progress, expected);
     EXPECT_TRUE(log.Errors.empty());
     EXPECT_TRUE(IsInitialized(filter->GetOutputDataObject(0)));
   }

@@ -80,9 +80,13 @@ def check_bad_point_on_one_rank(make):
     filter_.SetInputData(surface)
     messages = ranks.errors_of(filter_)
     filter_.UpdatePiece(RANK, RANKS, 0)
+    name = f"{filter_.GetClassName()}: a bad point on one rank"
+    if make is es.vtkShrinkWrap:  # does without it, and warns
+        wraps = filter_.GetOutput().GetNumberOfPoints() > 0
+        check(name, not messages and wraps == (RANK == 0), str(messages))
+        return
     speaks = RANK == 0 or make is es.vtkMeshSDF  # the others write no surface, so they read none
-    check(f"{filter_.GetClassName()}: a bad point on one rank",
-          len(messages) == (1 if speaks else 0), str(messages))
+    check(name, len(messages) == (1 if speaks else 0), str(messages))
 
 
 def check_missing_file():
