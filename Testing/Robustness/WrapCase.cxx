@@ -48,8 +48,11 @@ public:
 
   bool mustAccept() const override
   {
-    const bool hasExtent = this->Input.hasFaces ? areaOf(this->Input.joined) > 0.0
-                                                : this->Input.isUsable() && this->hasTwoPlaces();
+    // Points on a line have an area by rounding only.
+    constexpr double Thinnest = 1e-6;
+    const bool hasExtent = this->Input.hasFaces
+      ? areaOf(this->Input.joined) > Thinnest * this->Input.radius * this->Input.radius
+      : this->Input.isUsable() && this->hasTwoPlaces();
     return this->Parameters.areSensible() && !this->IsCoarse && this->Input.isUsable() && hasExtent;
   }
 
