@@ -12,12 +12,33 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace robustness
 {
 
 namespace
 {
+
+/// Points with the coordinates of used ones go with them.
+void addTwins(const Surface& surface, std::vector<char>& used)
+{
+  const auto placeOf = [&](std::size_t i) -> std::array<double, 3> {
+    return { surface.points[i].x(), surface.points[i].y(), surface.points[i].z() };
+  };
+  std::set<std::array<double, 3>> places;
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    if (used[i])
+    {
+      places.insert(placeOf(i));
+    }
+  }
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    used[i] = used[i] || (surface.points[i].allFinite() && places.count(placeOf(i)) > 0);
+  }
+}
 
 std::vector<char> usedPoints(const Surface& surface)
 {
@@ -29,6 +50,7 @@ std::vector<char> usedPoints(const Surface& surface)
       used[static_cast<std::size_t>(id)] = 1;
     }
   }
+  addTwins(surface, used);
   return used;
 }
 
