@@ -3,9 +3,11 @@
 
 #include "Defects.h"
 
+#include "Mesh/FloatPoints.h"
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace robustness
 {
@@ -127,7 +129,10 @@ void transform(Model& model, Random& random)
   for (Vec3& point : model.points)
   {
     point = scale * point + offset;
-    point = model.isDouble ? point : Vec3(point.cast<float>().cast<double>());
+  }
+  if (!model.isDouble)
+  {
+    model.points = evolving::roundedToFloats(std::move(model.points));
   }
 }
 
