@@ -43,7 +43,7 @@ void printUsage()
        "  --count N          inputs (300); 0 goes on until the time is up\n"
        "  --seconds S        ends after so many seconds (0: not before all inputs are done)\n"
        "  --jobs N           processes at once (0: as many as there are cores)\n"
-       "  --time-limit S     processor seconds of an input (20)\n"
+       "  --time-limit S     processor seconds of an input (60)\n"
        "  --only FILTER      one filter for all inputs:";
   for (const FilterKind& kind : filterKinds())
   {

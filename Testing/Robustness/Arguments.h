@@ -22,7 +22,7 @@ struct Arguments
   std::uint64_t count = 300; ///< 0: until the time is up
   int seconds = 0;           ///< 0: until all inputs are done
   int jobs = 0;              ///< 0: as many as there are cores
-  int timeLimit = 20;        ///< processor seconds of an input
+  int timeLimit = 60;        ///< processor seconds of an input
   std::string only;          ///< a filter's name; empty: the seed chooses
   std::optional<std::uint64_t> repeat;
   std::string save;

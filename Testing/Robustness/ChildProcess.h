@@ -29,7 +29,7 @@ constexpr bool IsSanitized = false;
 
 struct ChildLimits
 {
-  int cpuSeconds = 20;
+  int cpuSeconds = 60;
   int wallSeconds = 300; ///< for those that wait for ever: a busy machine makes no time-outs
   std::size_t bytes = std::size_t(2) << 30; ///< not under sanitizers
 };

@@ -92,7 +92,8 @@ bool areSame(const Vec3& a, const Vec3& b)
 
 void requireOnSurface(const Subject& input, const std::vector<char>& used, const Surface& output)
 {
-  const DistanceReference reference(input.data);
+  const constexpr bool AllFacesCount = true; // also those that use a point twice
+  const DistanceReference reference(input.data, AllFacesCount);
   // Points are written as the input's, floats maybe.
   const double rounding =
     (input.model.isDouble ? 1e-9 : 2e-7) * input.centre.norm() + 1e-6 * input.radius;

@@ -89,6 +89,14 @@ private:
       { return (point - points.front()).cross(way).norm() > Wide * way.squaredNorm(); });
   }
 
+  /// The grid between points and around them.
+  bool seesPoints(double size) const
+  {
+    constexpr int Fewest = 16; // six are around the points
+    const int* samples = this->Filter->GetSampleDimensions();
+    return *std::min_element(samples, samples + 3) >= Fewest && this->Filter->GetGapSize() <= size;
+  }
+
   void draw(Random& random)
   {
     const double size = this->Input.radius;
@@ -108,6 +116,7 @@ private:
     this->Filter->SetGapSize(this->Parameters.rate("GapSize", 0.2, 0.01 * size, 2.0 * size));
     this->Filter->SetOffsetDistance(
       this->Parameters.rate("OffsetDistance", 0.15, 0.01 * size, 0.5 * size));
+    this->IsCoarse = this->IsCoarse || (!this->Input.hasFaces && !this->seesPoints(size));
     this->Filter->SetFeatureAngle(
       this->Parameters.number("FeatureAngle", random.chance(0.7) ? 45.0 : random.real(0.0, 180.0)));
     this->Filter->SetStart(

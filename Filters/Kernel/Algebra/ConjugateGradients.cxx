@@ -6,6 +6,7 @@
 #include "Errors.h"
 #include "ParallelLoops.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -31,19 +32,70 @@ struct Jacobi
   }
 };
 
+void applyTo(Preconditioner& inverse, const std::vector<double>& r, std::vector<double>& z,
+  const Execution& execution)
+{
+  inverse.apply(r, z, execution);
+}
+
+/// Coordinate by coordinate.
+void applyTo(Preconditioner& inverse, const std::vector<Vec3>& r, std::vector<Vec3>& z,
+  const Execution& execution)
+{
+  z.resize(r.size());
+  std::vector<double> rk(r.size());
+  std::vector<double> zk;
+  for (Index k = 0; k < 3; ++k)
+  {
+    std::transform(r.begin(), r.end(), rk.begin(), [k](const Vec3& v) { return v[k]; });
+    inverse.apply(rk, zk, execution);
+    for (std::size_t i = 0; i < z.size(); ++i)
+    {
+      z[i][k] = zk[i];
+    }
+  }
+}
+
 /// A preconditioner that needs its result stored.
+template <class Value>
 struct Stored
 {
   Preconditioner& Inner;
-  std::vector<double> Z;
+  std::vector<Value> Z;
 
-  double innerProduct(const std::vector<double>& r, double, const Execution& execution)
+  double innerProduct(const std::vector<Value>& r, double, const Execution& execution)
   {
-    this->Inner.apply(r, this->Z, execution);
+    applyTo(this->Inner, r, this->Z, execution);
     return sumEachIndex(execution, static_cast<std::int64_t>(r.size()),
-      [&](Index i) { return r[at(i)] * this->Z[at(i)]; });
+      [&](Index i) { return dot(r[at(i)], this->Z[at(i)]); });
   }
-  double z(const std::vector<double>&, Index i) const { return this->Z[at(i)]; }
+  Value z(const std::vector<Value>&, Index i) const { return this->Z[at(i)]; }
+};
+
+/// Whether a residual has ceased to fall.
+class Stagnation
+{
+public:
+  explicit Stagnation(int patience)
+    : Patience(patience)
+  {
+  }
+
+  /// @param squaredNorm of the residual before an iteration
+  bool isReached(int iteration, double squaredNorm)
+  {
+    if (iteration == 0 || squaredNorm <= 0.25 * this->Milestone)
+    {
+      this->Milestone = squaredNorm;
+      this->Since = iteration;
+    }
+    return iteration - this->Since >= this->Patience;
+  }
+
+private:
+  int Patience;
+  double Milestone = 0.0;
+  int Since = 0;
 };
 
 [[noreturn]] void throwNotSolved(int iterations, double residual, double tolerance)
@@ -80,6 +132,7 @@ public:
     }
     double norm = this->start(b, x);
     double product = 0.0;
+    Stagnation stagnation(limits.patience);
     for (int iteration = 0; norm > target; ++iteration)
     {
       this->Run.report(iteration / (iteration + 30.0));
@@ -89,8 +142,8 @@ public:
       const double curvature = multiplyAndDot(this->A, this->P, this->Q, this->Run);
       const double step = product / curvature;
       // NaN fails these comparisons too.
-      if (iteration == limits.maximumIterations || !(curvature > 0.0 && product > 0.0) ||
-        !std::isfinite(step))
+      if (iteration == limits.maximumIterations || stagnation.isReached(iteration, norm) ||
+        !(curvature > 0.0 && product > 0.0) || !std::isfinite(step))
       {
         throwNotSolved(iteration, std::sqrt(norm / target) * limits.tolerance, limits.tolerance);
       }
@@ -165,27 +218,31 @@ private:
   std::vector<Value> Q;
 };
 
-} // namespace
-
-int conjugateGradients(const SparseMatrix& A, const std::vector<Vec3>& b, std::vector<Vec3>& x,
-  const SolverLimits& limits, const Execution& execution)
-{
-  const std::vector<double> diagonal = inverseDiagonal(A, execution);
-  Iteration<Vec3, Jacobi<Vec3>> iteration(A, diagonal, { diagonal }, execution);
-  return iteration.solve(b, x, limits);
-}
-
-int conjugateGradients(const SparseMatrix& A, const std::vector<double>& b, std::vector<double>& x,
+template <class Value>
+int solve(const SparseMatrix& A, const std::vector<Value>& b, std::vector<Value>& x,
   const SolverLimits& limits, const Execution& execution, Preconditioner* preconditioner)
 {
   const std::vector<double> diagonal = inverseDiagonal(A, execution);
   if (preconditioner)
   {
-    Iteration<double, Stored> iteration(A, diagonal, { *preconditioner, {} }, execution);
-    return iteration.solve(b, x, limits);
+    return Iteration<Value, Stored<Value>>(A, diagonal, { *preconditioner, {} }, execution)
+      .solve(b, x, limits);
   }
-  Iteration<double, Jacobi<double>> iteration(A, diagonal, { diagonal }, execution);
-  return iteration.solve(b, x, limits);
+  return Iteration<Value, Jacobi<Value>>(A, diagonal, { diagonal }, execution).solve(b, x, limits);
+}
+
+} // namespace
+
+int conjugateGradients(const SparseMatrix& A, const std::vector<Vec3>& b, std::vector<Vec3>& x,
+  const SolverLimits& limits, const Execution& execution, Preconditioner* preconditioner)
+{
+  return solve(A, b, x, limits, execution, preconditioner);
+}
+
+int conjugateGradients(const SparseMatrix& A, const std::vector<double>& b, std::vector<double>& x,
+  const SolverLimits& limits, const Execution& execution, Preconditioner* preconditioner)
+{
+  return solve(A, b, x, limits, execution, preconditioner);
 }
 
 } // namespace evolving

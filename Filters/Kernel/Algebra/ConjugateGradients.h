@@ -33,6 +33,9 @@ struct SolverLimits
 {
   double tolerance = 1e-10; ///< of the residual, relative to the right-hand side
   int maximumIterations = 10000;
+  /// So many iterations must halve the residual; where they do not, rounding keeps it from the
+  /// tolerance. Without a good preconditioner a grid of a million nodes takes about a hundred.
+  int patience = 1000;
 };
 
 /**
@@ -43,11 +46,11 @@ struct SolverLimits
  * epsilon_i in (4.16) then weigh no more than the others.
  * @param preconditioner null for the diagonal (Jacobi)
  * @return the number of iterations
- * @throws SolverError when A is not positive definite or the iterations do not suffice
+ * @throws SolverError when A is not positive definite or the residual stays above the tolerance
  * @throws Cancelled
  */
 int conjugateGradients(const SparseMatrix& A, const std::vector<Vec3>& b, std::vector<Vec3>& x,
-  const SolverLimits& limits, const Execution& execution);
+  const SolverLimits& limits, const Execution& execution, Preconditioner* preconditioner = nullptr);
 int conjugateGradients(const SparseMatrix& A, const std::vector<double>& b, std::vector<double>& x,
   const SolverLimits& limits, const Execution& execution, Preconditioner* preconditioner = nullptr);
 

@@ -4,10 +4,7 @@
 #include "Algebra/Multigrid.h"
 
 #include "Algebra/Aggregation.h"
-#include "Errors.h"
 #include "ParallelLoops.h"
-
-#include <Eigen/SparseCholesky>
 
 namespace evolving
 {
@@ -113,11 +110,6 @@ struct Multigrid::Level
   }
 };
 
-struct Multigrid::Factorization
-{
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double, Eigen::ColMajor, Index>> Solver;
-};
-
 Multigrid::Multigrid() = default;
 Multigrid::~Multigrid() = default;
 
@@ -142,14 +134,7 @@ void Multigrid::build(const SparseMatrix& A, const Execution& execution)
     }
     this->Levels.emplace_back().A = std::move(coarse);
   }
-  this->Coarsest = std::make_unique<Factorization>();
-  this->Coarsest->Solver.compute(this->Levels.back().A);
-  if (this->Coarsest->Solver.info() != Eigen::Success ||
-    !(this->Coarsest->Solver.vectorD().minCoeff() > 0.0))
-  {
-    throw SolverError("The matrix of the redistribution potential is not positive definite, "
-                      "expected a surface with faces of positive area; repair the mesh.");
-  }
+  this->Coarsest.build(this->Levels.back().A);
 }
 
 void Multigrid::apply(
@@ -165,10 +150,7 @@ void Multigrid::cycle(std::size_t level, const Execution& execution)
   Level& fine = this->Levels[level];
   if (level + 1 == this->Levels.size())
   {
-    fine.Z.resize(fine.R.size());
-    const auto size = static_cast<Eigen::Index>(fine.R.size());
-    Eigen::Map<Eigen::VectorXd>(fine.Z.data(), size) =
-      this->Coarsest->Solver.solve(Eigen::Map<const Eigen::VectorXd>(fine.R.data(), size));
+    this->Coarsest.apply(fine.R, fine.Z, execution);
     return;
   }
   Level& coarse = this->Levels[level + 1];

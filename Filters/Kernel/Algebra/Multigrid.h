@@ -10,10 +10,10 @@
 #define EVOLVING_MULTIGRID_H
 
 #include "Algebra/ConjugateGradients.h"
+#include "Algebra/Factorization.h"
 #include "Algebra/SparseMatrix.h"
 #include "Execution.h"
 
-#include <memory>
 #include <vector>
 
 namespace evolving
@@ -50,11 +50,10 @@ public:
 
 private:
   struct Level;
-  struct Factorization;
   void cycle(std::size_t level, const Execution& execution);
 
   std::vector<Level> Levels;
-  std::unique_ptr<Factorization> Coarsest;
+  Factorization Coarsest;
 };
 
 } // namespace evolving

@@ -3,6 +3,7 @@
 
 #include "Algebra/PoissonSolver.h"
 
+#include "Algebra/Factorization.h"
 #include "Errors.h"
 #include "ParallelLoops.h"
 
@@ -10,6 +11,19 @@
 
 namespace evolving
 {
+
+namespace
+{
+
+/// What a good hierarchy can do: it takes 20 to 30 iterations.
+SolverLimits limitsForCycles(const SolverLimits& limits)
+{
+  SolverLimits least = limits;
+  least.maximumIterations = std::min(limits.maximumIterations, 100);
+  return least;
+}
+
+} // namespace
 
 int PoissonSolver::solve(const SparseMatrix& L, const std::vector<char>& isPinned,
   std::vector<double> b, std::vector<double>& psi, const SolverLimits& limits,
@@ -37,7 +51,8 @@ int PoissonSolver::solveReduced(const std::vector<double>& b, std::vector<double
     {
       this->rebuild(execution);
     }
-    const int iterations = conjugateGradients(this->A, b, psi, limits, execution, &this->Inverse);
+    const int iterations =
+      conjugateGradients(this->A, b, psi, limitsForCycles(limits), execution, &this->Inverse);
     this->IterationsWhenNew = this->IsNew ? iterations : this->IterationsWhenNew;
     this->IsNew = false;
     this->IsBuilt = iterations <= 2 * this->IterationsWhenNew + 5;
@@ -45,10 +60,8 @@ int PoissonSolver::solveReduced(const std::vector<double>& b, std::vector<double
   }
   catch (const SolverError&)
   {
-    // A surface near degeneration may defeat the hierarchy; the plain method is slow but sure.
     this->IsBuilt = false;
-    std::fill(psi.begin(), psi.end(), 0.0);
-    return conjugateGradients(this->A, b, psi, limits, execution);
+    return solveByFactorization(this->A, b, psi, limits, execution);
   }
 }
 

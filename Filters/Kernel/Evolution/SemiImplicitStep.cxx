@@ -4,6 +4,8 @@
 #include "Evolution/SemiImplicitStep.h"
 
 #include "Algebra/ConjugateGradients.h"
+#include "Algebra/Factorization.h"
+#include "Errors.h"
 #include "ParallelLoops.h"
 
 #include <algorithm>
@@ -17,6 +19,24 @@ namespace
 /// epsilon_i / max epsilon below which a row counts as one without curvature motion.
 constexpr double SmallestEpsilon = 1e-12;
 
+/// Good elements take 30 to 40 iterations.
+int solve(const SparseMatrix& A, const std::vector<Vec3>& b, std::vector<Vec3>& x, double tolerance,
+  const Execution& execution)
+{
+  SolverLimits limits;
+  limits.tolerance = tolerance;
+  SolverLimits few = limits;
+  few.maximumIterations = 500;
+  try
+  {
+    return conjugateGradients(A, b, x, few, execution);
+  }
+  catch (const SolverError&)
+  {
+    return solveByFactorization(A, b, x, limits, execution);
+  }
+}
+
 } // namespace
 
 const std::vector<Vec3>& SemiImplicitStep::displacement(const SurfaceGeometry& geometry,
@@ -26,9 +46,7 @@ const std::vector<Vec3>& SemiImplicitStep::displacement(const SurfaceGeometry& g
   this->assemble(geometry, input, execution);
   eliminateKnown(this->IsKnown, this->Known, this->A, this->B, execution);
   this->guessDisplacement(execution);
-  SolverLimits limits;
-  limits.tolerance = tolerance;
-  this->Iterations = conjugateGradients(this->A, this->B, this->Displacement, limits, execution);
+  this->Iterations = solve(this->A, this->B, this->Displacement, tolerance, execution);
   return this->Displacement;
 }
 

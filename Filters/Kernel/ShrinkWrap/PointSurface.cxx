@@ -4,6 +4,7 @@
 #include "ShrinkWrap/PointSurface.h"
 
 #include "Distance/SignedDistance.h"
+#include "Errors.h"
 #include "Remeshing/CurvedReference.h"
 #include "Remeshing/EdgeCollapsing.h"
 #include "Remeshing/EdgeFlipping.h"
@@ -21,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <vector>
 
 namespace evolving
@@ -60,9 +62,10 @@ public:
   SurfaceMesh make()
   {
     requireExtent(this->Points);
+    this->requireFineGrid();
     this->Spacing = this->meanSpacing(this->Run.phase(0.0, 0.2));
-    const double largest = std::max(this->Options.gapSize, this->Tuning.largestGap * this->Spacing);
-    this->Grid = tightGrid(this->Bounds, this->Options.sampleDimensions, 0.5 * largest);
+    const double room = 0.5 * std::max(this->Options.gapSize, this->largestGap());
+    this->Grid = tightGrid(this->Bounds, this->Options.sampleDimensions, room);
     this->Distance = distanceTo(this->Points, this->Grid, this->Run.phase(0.2, 0.3));
     SurfaceMesh surface = this->leftBy(this->chooseBalls(), this->Run.phase(0.3, 0.6));
     if (surface.faceCount() == 0)
@@ -75,6 +78,39 @@ public:
   }
 
 private:
+  /// Around the largest ball that the grid can see beside the points.
+  double largestRoom() const
+  {
+    const double coarsest = this->Tuning.largestCell * this->Bounds.sizes().maxCoeff();
+    return roomForCells(this->Bounds, this->Options.sampleDimensions, coarsest);
+  }
+
+  /// Of the balls that are tried.
+  double largestGap() const
+  {
+    return std::min(this->Tuning.largestGap * this->Spacing, 2.0 * this->largestRoom());
+  }
+
+  void requireFineGrid() const
+  {
+    const double room = 0.5 * this->Options.gapSize;
+    if (room <= this->largestRoom())
+    {
+      return;
+    }
+    const auto& samples = this->Options.sampleDimensions;
+    const double size = this->Bounds.sizes().maxCoeff();
+    std::ostringstream message;
+    message << "SampleDimensions of " << samples[0] << " x " << samples[1] << " x " << samples[2]
+            << " and a GapSize of " << this->Options.gapSize << " give cells of "
+            << tightGrid(this->Bounds, samples, room).spacing.maxCoeff()
+            << " around points that are " << size << " long, expected cells of at most "
+            << this->Tuning.largestCell * size << "; set "
+            << (this->largestRoom() < 0.0 ? "more samples."
+                                          : "a smaller GapSize, or more samples.");
+    throw InputError(message.str());
+  }
+
   double cell() const { return this->Grid.spacing.maxCoeff(); }
 
   SurfaceMesh boundaryOf(const std::vector<float>& field, const Execution& execution) const
@@ -136,8 +172,16 @@ private:
     for (double k = this->Tuning.smallestGap; k <= this->Tuning.largestGap;
          k += this->Tuning.gapStep)
     {
+      if (k * this->Spacing > this->largestGap())
+      {
+        break;
+      }
       gaps.push_back(k * this->Spacing);
       volumes.push_back(this->enclosedBy(gaps.back()));
+    }
+    if (gaps.empty())
+    {
+      return this->aroundSheet();
     }
     const double most = *std::max_element(volumes.begin(), volumes.end());
     if (most < this->Tuning.leastThickness * this->Spacing * this->Area)

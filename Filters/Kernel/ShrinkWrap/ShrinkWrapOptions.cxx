@@ -5,6 +5,7 @@
 
 #include "ParameterRange.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace evolving
@@ -16,6 +17,8 @@ namespace
 /// Of a cube an edge is then three cells of the default grid long: the grid shows what elements of
 /// that size can carry.
 constexpr double DefaultVertexCount = 9000.0;
+/// Elements along the thinnest wire, whose wall has some more around it: not many more in all.
+constexpr double DefaultMostAlong = 1000.0;
 /// As of an input (FloatRange.cxx): distances of this size, and their squares, are floats.
 constexpr double SmallestLength = 1e-31;
 constexpr double LargestLength = 1e31;
@@ -63,9 +66,10 @@ double timeStepOf(const ShrinkWrapOptions& options)
   return (fromSphere ? IcosphereTime : IsosurfaceTime) / stepsOf(options);
 }
 
-double defaultEdgeLength(double area)
+double defaultEdgeLength(double area, double length)
 {
-  return std::sqrt(2.0 * area / (DefaultVertexCount * std::sqrt(3.0)));
+  const double covering = std::sqrt(2.0 * area / (DefaultVertexCount * std::sqrt(3.0)));
+  return std::max(covering, length / DefaultMostAlong);
 }
 
 } // namespace evolving

@@ -26,7 +26,7 @@ struct ShrinkWrapOptions
 {
   WrapStart start = WrapStart::Isosurface;
   std::array<int, 3> sampleDimensions = { 128, 128, 128 };
-  double targetEdgeLength = 0.0; ///< 0 = defaultEdgeLength() of the target's area
+  double targetEdgeLength = 0.0; ///< 0 = defaultEdgeLength() of the target
   /// Diameter of the gaps to close; 0 = those that the start surface cannot enter, an edge length
   /// or 1.6 cells wide, and wider cracks where without them nearly nothing would be inside.
   double gapSize = 0.0;
@@ -60,8 +60,11 @@ int stepsOf(const ShrinkWrapOptions& options);
 /// The time step of the flow; like the number of steps it follows from options alone.
 double timeStepOf(const ShrinkWrapOptions& options);
 
-/// sqrt(2 A / (9000 sqrt(3))): equilateral triangles of this edge cover A with 9000 vertices.
-double defaultEdgeLength(double area);
+/**
+ * sqrt(2 A / (9000 sqrt(3))): equilateral triangles of this edge cover A with 9000 vertices. Of a
+ * wire or a needle, which has next to no area, a thousandth of its length.
+ */
+double defaultEdgeLength(double area, double length);
 
 } // namespace evolving
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace evolving
 {
@@ -16,6 +17,13 @@ namespace
 /// one for the samples around that OuterRegion looks at.
 constexpr double CellsOfRoom = 3.0;
 
+/// Along an axis, between the cells of room.
+double cellsAcross(const std::array<int, 3>& dimensions, int axis)
+{
+  const double cells = dimensions[static_cast<std::size_t>(axis)] - 1 - 2.0 * CellsOfRoom;
+  return std::max(1.0, cells);
+}
+
 } // namespace
 
 DistanceGrid tightGrid(const Box& box, const std::array<int, 3>& dimensions, double room)
@@ -23,8 +31,7 @@ DistanceGrid tightGrid(const Box& box, const std::array<int, 3>& dimensions, dou
   double cell = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double cells = dimensions[static_cast<std::size_t>(axis)] - 1 - 2.0 * CellsOfRoom;
-    cell = std::max(cell, (box.sizes()[axis] + 2.0 * room) / std::max(1.0, cells));
+    cell = std::max(cell, (box.sizes()[axis] + 2.0 * room) / cellsAcross(dimensions, axis));
   }
   DistanceGrid grid;
   grid.spacing.setConstant(cell);
@@ -38,6 +45,16 @@ DistanceGrid tightGrid(const Box& box, const std::array<int, 3>& dimensions, dou
     grid.extent[lower + 1] = cells;
   }
   return grid;
+}
+
+double roomForCells(const Box& box, const std::array<int, 3>& dimensions, double cell)
+{
+  double room = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    room = std::min(room, 0.5 * (cell * cellsAcross(dimensions, axis) - box.sizes()[axis]));
+  }
+  return room;
 }
 
 } // namespace evolving

@@ -24,6 +24,9 @@ namespace evolving
  */
 DistanceGrid tightGrid(const Box& box, const std::array<int, 3>& dimensions, double room);
 
+/// The room for which tightGrid() has cells of a size; negative where its cells are larger anyway.
+double roomForCells(const Box& box, const std::array<int, 3>& dimensions, double cell);
+
 } // namespace evolving
 
 #endif

@@ -146,8 +146,9 @@ DescribedTarget describeTarget(const SurfaceMesh& mesh, const ShrinkWrapOptions&
     : weldCoincidentPoints(mesh);
   target.area = surfaceArea(target.surface);
   target.offset = options.offsetDistance;
-  target.edgeLength =
-    options.targetEdgeLength > 0.0 ? options.targetEdgeLength : defaultEdgeLength(target.area);
+  target.edgeLength = options.targetEdgeLength > 0.0
+    ? options.targetEdgeLength
+    : defaultEdgeLength(target.area, target.box.diagonal().norm());
   requireArea(target);
   requireShortEdges(target);
   const double gap = isPointSet ? 0.0 : options.gapSize;

@@ -154,6 +154,8 @@ struct PointTuning
   double largestGap = 12.0;
   double gapStep = 0.5;
   ///@}
+  /// Of the grid, in lengths of the model: larger ones see no more than a lump.
+  double largestCell = 0.25;
   /// A ball that comes in leaves nothing of the inside, or specks: less than this part of what the
   /// best one leaves.
   double closedPart = 0.5;

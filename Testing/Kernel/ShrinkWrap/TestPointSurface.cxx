@@ -180,6 +180,36 @@ TEST(PointSurface, FourPointsOfATetrahedronAreEnough)
   EXPECT_GT(signedVolume(surface), 0.0);
 }
 
+TEST(PointSurface, ACoarseGridIsRefusedAndNeverBlowsTheSurfaceUp)
+{
+  std::vector<Vec3> points = icosphere(1).points; // 42, which a wide gap makes wider
+  int made = 0;
+  for (const int samples : { 8, 10, 12, 16, 24, 40 })
+  {
+    for (const double gap : { 0.0, 0.4, 2.0, 1e30 })
+    {
+      ShrinkWrapOptions options = wraps::quick(0.15, samples);
+      options.gapSize = gap;
+      try
+      {
+        const Vec3 sizes = boundingBox(surfaceAmidst(pointSet(points), options)).sizes();
+        EXPECT_LT(sizes.maxCoeff(), 3.5) << samples << " samples, gap " << gap; // points have 2
+        ++made;
+      }
+      catch (const InputError& error)
+      {
+        const std::string sentence = error.what();
+        EXPECT_TRUE(samples < 12 || gap > 1.0) << sentence;
+        EXPECT_NE(sentence.find("SampleDimensions"), std::string::npos) << sentence;
+        EXPECT_NE(sentence.find("set " + std::string(gap > 1.0 && samples > 10 ? "a smaller" : "")),
+          std::string::npos)
+          << sentence;
+      }
+    }
+  }
+  EXPECT_GE(made, 8);
+}
+
 TEST(PointSurface, IsTheSameOnAnyThreads)
 {
   const std::vector<Vec3> points = icosphere(3).points;

@@ -56,4 +56,21 @@ TEST(TightGrid, OfAFlatOrSmallBoxIsNoLessThanItsMargins)
   EXPECT_EQ(tightGrid(flat, { 2, 2, 2 }, 0.0).dimension(0), 8);
 }
 
+TEST(TightGrid, RoomForCellsIsTheInverse)
+{
+  std::mt19937 generator(6);
+  std::uniform_real_distribution<double> length(0.1, 10.0);
+  std::uniform_int_distribution<int> count(9, 90);
+  for (int i = 0; i < 200; ++i)
+  {
+    const Box box(Vec3::Zero(), Vec3(length(generator), length(generator), length(generator)));
+    const std::array<int, 3> dimensions = { count(generator), count(generator), count(generator) };
+    const double room = length(generator);
+    const double cell = tightGrid(box, dimensions, room).spacing.x();
+    ASSERT_NEAR(roomForCells(box, dimensions, cell), room, 1e-9 * room);
+    const double tight = tightGrid(box, dimensions, 0.0).spacing.x();
+    ASSERT_LT(roomForCells(box, dimensions, 0.9 * tight), 0.0);
+  }
+}
+
 } // namespace

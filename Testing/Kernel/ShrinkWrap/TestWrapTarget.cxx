@@ -47,8 +47,8 @@ TEST(WrapTarget, LengthsFollowFromTheOptions)
   const WrapTarget coarse = describeTarget(icosphere(4), options, {}).target;
   EXPECT_NEAR(coarse.startLevel, 0.3 + 0.8 * coarse.cellSize(), 1e-15);
   options.targetEdgeLength = 0.0;
-  EXPECT_EQ(
-    describeTarget(icosphere(4), options, {}).target.edgeLength, defaultEdgeLength(target.area));
+  EXPECT_EQ(describeTarget(icosphere(4), options, {}).target.edgeLength,
+    defaultEdgeLength(target.area, target.box.diagonal().norm()));
 }
 
 TEST(WrapTarget, DistancesAreThoseOfTheSurface)
