@@ -112,22 +112,6 @@ TEST(ConjugateGradients, SaysWhenItCannotSolve)
   EXPECT_THROW(conjugateGradients(A, infinite, x, { 1e-12, 1000 }, {}), SolverError);
 }
 
-TEST(ConjugateGradients, EndsWhenTheResidualNoLongerFalls)
-{
-  const SparseMatrix A = randomMatrix(500, 16);
-  const std::vector<Vec3> b = randomPoints(500, 17);
-  std::vector<Vec3> x(b.size(), Vec3::Zero());
-  int reports = 0;
-  const Execution counted(
-    nullptr, [&](double) { ++reports; }, nullptr);
-  // Residuals that underflow would end it as solved.
-  SolverLimits limits;
-  limits.tolerance = 1e-300;
-  limits.patience = 40;
-  EXPECT_THROW(conjugateGradients(A, b, x, limits, counted), SolverError);
-  EXPECT_LT(reports, 10000);
-}
-
 TEST(ConjugateGradients, ZeroRightHandSideGivesZero)
 {
   const SparseMatrix A = randomMatrix(50, 10);

@@ -112,6 +112,21 @@ TEST(Factorization, SolvesThreeCoordinatesAsOneAfterAnother)
   }
 }
 
+TEST(ConjugateGradients, EndsWhenTheResidualNoLongerFalls)
+{
+  const PoissonProblem problem(needleSheet(60, 1e-9));
+  int iterations = 0;
+  const Execution counted(
+    nullptr, [&](double) { ++iterations; }, nullptr);
+  SolverLimits limits;
+  limits.patience = 200;
+  std::vector<double> x(problem.mesh.points.size(), 0.0);
+  EXPECT_THROW(
+    conjugateGradients(problem.pinnedMatrix(), problem.rightHandSide(), x, limits, counted),
+    SolverError);
+  EXPECT_LT(iterations, limits.maximumIterations / 2);
+}
+
 TEST(Factorization, RefusesAMatrixThatIsNotDefinite)
 {
   const PoissonProblem problem(needleSheet(10, 1e-2));
@@ -140,5 +155,6 @@ TEST(PoissonSolver, SolvesWhatDefeatsItsHierarchy)
   EXPECT_LE(iterations, 100);
   std::vector<double> b = problem.rightHandSide();
   b[0] = 0.0;
-  EXPECT_LE(relativeResidual(problem.pinnedMatrix(), b, psi), 2e-9);
+  // Rounding makes the residual that the method follows differ from the true one.
+  EXPECT_LE(relativeResidual(problem.pinnedMatrix(), b, psi), 1e-6);
 }
