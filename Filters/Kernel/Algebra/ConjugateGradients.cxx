@@ -245,4 +245,19 @@ int conjugateGradients(const SparseMatrix& A, const std::vector<double>& b, std:
   return solve(A, b, x, limits, execution, preconditioner);
 }
 
+std::vector<double> approximateSolution(const SparseMatrix& A, const std::vector<double>& b,
+  const SolverLimits& limits, const Execution& execution)
+{
+  std::vector<double> x(b.size(), 0.0);
+  try
+  {
+    solve(A, b, x, limits, execution, nullptr);
+  }
+  catch (const SolverError&)
+  {
+    // The last iterate stays.
+  }
+  return x;
+}
+
 } // namespace evolving

@@ -54,6 +54,14 @@ int conjugateGradients(const SparseMatrix& A, const std::vector<Vec3>& b, std::v
 int conjugateGradients(const SparseMatrix& A, const std::vector<double>& b, std::vector<double>& x,
   const SolverLimits& limits, const Execution& execution, Preconditioner* preconditioner = nullptr);
 
+/**
+ * The solution of A x = b from zero; where the residual stays above the tolerance what has been
+ * reached, which is as good as any for a step that is followed by others.
+ * @throws Cancelled
+ */
+std::vector<double> approximateSolution(const SparseMatrix& A, const std::vector<double>& b,
+  const SolverLimits& limits, const Execution& execution);
+
 } // namespace evolving
 
 #endif

@@ -25,7 +25,7 @@ void NormalEquations::findEntries()
     static_cast<Index>(std::count(this->FirstUnknown.begin(), this->FirstUnknown.end(), NoIndex));
   const Index unknowns = this->PerVertex * vertices;
   this->System.resize(unknowns, unknowns);
-  this->RightSide.resize(unknowns);
+  this->RightSide.resize(at(unknowns));
   std::vector<Index> columns;
   for (Index v = 0; v < this->Surface.vertexSlots(); ++v)
   {
@@ -85,14 +85,15 @@ void NormalEquations::assembleRowsOf(Index v, const std::vector<FaceTerms>& term
   const Index* columns = this->System.innerIndexPtr() + begin;
   double* values = this->System.valuePtr() + begin;
   std::fill(values, values + this->PerVertex * length, 0.0);
-  this->RightSide.segment(first, this->PerVertex).setZero();
+  Eigen::Map<Eigen::VectorXd> rightSide(this->RightSide.data() + first, this->PerVertex);
+  rightSide.setZero();
   this->Surface.forEachOutgoing(v,
     [&](Index e)
     {
       const Index face = EditableSurface::faceOf(e);
       const Index row = 3 * (e - 3 * face);
       const FaceTerms& t = terms[at(face)];
-      this->RightSide.segment(first, this->PerVertex) += t.rightSide.segment(row, this->PerVertex);
+      rightSide += t.rightSide.segment(row, this->PerVertex);
       for (Index k = 0; k < 3; ++k)
       {
         const Index unknown = this->FirstUnknown[at(this->Surface.from(3 * face + k))];

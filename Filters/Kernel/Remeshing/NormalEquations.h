@@ -9,11 +9,12 @@
 #ifndef EVOLVING_NORMAL_EQUATIONS_H
 #define EVOLVING_NORMAL_EQUATIONS_H
 
+#include "Algebra/SparseMatrix.h"
 #include "Execution.h"
 #include "Remeshing/EditableSurface.h"
 #include "Types.h"
 
-#include <Eigen/SparseCore>
+#include <Eigen/Core>
 
 #include <vector>
 
@@ -35,8 +36,6 @@ struct FaceTerms
 class NormalEquations
 {
 public:
-  using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
   /**
    * @param surface keeps its connectivity from now on
    * @param firstUnknown per vertex; NoIndex: none. In ascending order
@@ -48,8 +47,8 @@ public:
   /// @param terms one per face
   void assemble(const std::vector<FaceTerms>& terms, const Execution& execution);
 
-  Matrix& matrix() { return this->System; }
-  const Eigen::VectorXd& rightSide() const { return this->RightSide; }
+  SparseMatrix& matrix() { return this->System; }
+  const std::vector<double>& rightSide() const { return this->RightSide; }
 
 private:
   void findEntries();
@@ -59,8 +58,8 @@ private:
   const EditableSurface& Surface;
   const std::vector<Index>& FirstUnknown;
   Index PerVertex;
-  Matrix System;
-  Eigen::VectorXd RightSide;
+  SparseMatrix System;
+  std::vector<double> RightSide;
 };
 
 } // namespace evolving

@@ -3,13 +3,11 @@
 
 #include "Remeshing/PointFit.h"
 
+#include "Algebra/ConjugateGradients.h"
 #include "ParallelLoops.h"
 #include "Remeshing/Barycentric.h"
 #include "Remeshing/InversionFreeMove.h"
 #include "Trees/AABBTree.h"
-
-#include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <limits>
@@ -66,7 +64,7 @@ public:
   explicit PointFit(EditableSurface& surface)
     : Surface(surface)
     , Normals(at(surface.vertexSlots()))
-    , RightSide(Eigen::VectorXd::Zero(surface.vertexSlots()))
+    , RightSide(at(surface.vertexSlots()), 0.0)
   {
     for (Index v = 0; v < surface.vertexSlots(); ++v)
     {
@@ -81,7 +79,7 @@ public:
     {
       const Index row = this->Surface.from(3 * a.face + k);
       const double slope = a.weights[k] * this->Normals[at(row)].dot(normal);
-      this->RightSide[row] += slope * a.way.dot(normal);
+      this->RightSide[at(row)] += slope * a.way.dot(normal);
       for (Index l = 0; l < 3; ++l)
       {
         const Index column = this->Surface.from(3 * a.face + l);
@@ -105,18 +103,18 @@ public:
   void move(const Execution& execution)
   {
     const Index count = this->Surface.vertexSlots();
-    Eigen::SparseMatrix<double> matrix(count, count);
+    SparseMatrix matrix(count, count);
     matrix.setFromTriplets(this->Entries.begin(), this->Entries.end());
-    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver;
-    solver.setTolerance(SolverTolerance);
-    solver.compute(matrix);
-    const Eigen::VectorXd heights = solver.solve(this->RightSide);
+    SolverLimits limits;
+    limits.tolerance = SolverTolerance;
+    const std::vector<double> heights =
+      approximateSolution(matrix, this->RightSide, limits, execution.phase(0.0, 0.0));
     std::vector<Vec3> points(at(count));
     for (Index v = 0; v < count; ++v)
     {
       const double most = LongestMove * this->Surface.size(v);
       points[at(v)] =
-        this->Surface.point(v) + std::clamp(heights[v], -most, most) * this->Normals[at(v)];
+        this->Surface.point(v) + std::clamp(heights[at(v)], -most, most) * this->Normals[at(v)];
     }
     moveWithoutInversion(this->Surface, points, execution);
   }
@@ -124,8 +122,8 @@ public:
 private:
   EditableSurface& Surface;
   std::vector<Vec3> Normals;
-  std::vector<Eigen::Triplet<double>> Entries;
-  Eigen::VectorXd RightSide;
+  std::vector<Eigen::Triplet<double, Index>> Entries;
+  std::vector<double> RightSide;
 };
 
 } // namespace

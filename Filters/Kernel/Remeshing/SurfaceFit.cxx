@@ -3,13 +3,13 @@
 
 #include "Remeshing/SurfaceFit.h"
 
+#include "Algebra/ConjugateGradients.h"
 #include "Mesh/Orthogonal.h"
 #include "ParallelLoops.h"
 #include "Remeshing/InversionFreeMove.h"
 #include "Remeshing/NormalEquations.h"
 
 #include <Eigen/Dense>
-#include <Eigen/IterativeLinearSolvers>
 
 #include <algorithm>
 #include <cmath>
@@ -130,22 +130,22 @@ private:
     return terms;
   }
 
-  Eigen::VectorXd solve(const std::vector<FaceTerms>& terms)
+  std::vector<double> solve(const std::vector<FaceTerms>& terms)
   {
     this->Equations->assemble(terms, this->Run);
-    NormalEquations::Matrix& matrix = this->Equations->matrix();
+    SparseMatrix& matrix = this->Equations->matrix();
     const double inertia = Inertia * matrix.diagonal().sum() / std::max(1, this->Unknowns);
     for (Index i = 0; i < this->Unknowns; ++i)
     {
       matrix.coeffRef(i, i) += inertia;
     }
-    Eigen::ConjugateGradient<NormalEquations::Matrix, Eigen::Lower | Eigen::Upper> solver;
-    solver.setTolerance(SolverTolerance);
-    solver.compute(matrix);
-    return solver.solve(this->Equations->rightSide());
+    SolverLimits limits;
+    limits.tolerance = SolverTolerance;
+    return approximateSolution(
+      matrix, this->Equations->rightSide(), limits, this->Run.phase(0.0, 0.0));
   }
 
-  void move(const Eigen::VectorXd& moves, double damping)
+  void move(const std::vector<double>& moves, double damping)
   {
     std::vector<Vec3> points(at(this->Surface.vertexSlots()));
     for (Index v = 0; v < this->Surface.vertexSlots(); ++v)
@@ -155,7 +155,7 @@ private:
       if (first != NoIndex)
       {
         Vec3 way = damping * this->Frames[at(v)].leftCols(this->Directions) *
-          moves.segment(first, this->Directions);
+          Eigen::Map<const Eigen::VectorXd>(moves.data() + first, this->Directions);
         const double longest = LongestMove * this->Surface.size(v);
         points[at(v)] += way * std::min(1.0, longest / std::max(way.norm(), longest));
       }
