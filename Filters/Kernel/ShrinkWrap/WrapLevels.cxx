@@ -74,13 +74,18 @@ private:
   std::vector<Piece> Pieces;
 };
 
+Piece atOffset(const Triangle& triangle)
+{
+  return { triangle.corners, { 0.0, 0.0, 0.0 } };
+}
+
 std::vector<Piece> piecesOf(
   const Triangle& triangle, Index number, const SheetOpenness& openness, double longest)
 {
   switch (openness.sidesOf(number))
   {
     case SidesOpen::One:
-      return { { triangle.corners, { 0.0, 0.0, 0.0 } } };
+      return { atOffset(triangle) };
     case SidesOpen::Both:
       return { { triangle.corners, { 1.0, 1.0, 1.0 } } };
     default:
@@ -96,8 +101,9 @@ double WrapLevels::maximum(Index triangle) const
   return *std::max_element(levels.begin(), levels.end());
 }
 
-WrapLevels wrapLevels(const SurfaceMesh& target, const AABBTree& tree, const OuterRegion& region,
-  double offset, double wall, const Execution& execution)
+WrapLevels wrapLevels(const SurfaceMesh& target, const AABBTree& tree,
+  const std::vector<char>& hasInside, const OuterRegion& region, double offset, double wall,
+  const Execution& execution)
 {
   const SheetOpenness openness(tree, region);
   std::vector<std::vector<Piece>> pieces(at(tree.triangleCount()));
@@ -106,7 +112,9 @@ WrapLevels wrapLevels(const SurfaceMesh& target, const AABBTree& tree, const Out
     {
       for (auto t = static_cast<Index>(begin); t < static_cast<Index>(end); ++t)
       {
-        pieces[at(t)] = piecesOf(tree.triangle(t), t, openness, region.radius());
+        pieces[at(t)] = hasInside[at(t)] != 0
+          ? std::vector<Piece>{ atOffset(tree.triangle(t)) }
+          : piecesOf(tree.triangle(t), t, openness, region.radius());
       }
     });
   WrapLevels levels;

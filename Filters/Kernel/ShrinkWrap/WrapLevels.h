@@ -35,10 +35,12 @@ struct WrapLevels
  * which only a part is such a sheet are cut until they are no larger than the region's ball, which
  * cannot tell smaller places apart.
  * @param tree of the target
+ * @param hasInside of each triangle: is it on a closed part, and so no sheet?
  * @throws Cancelled
  */
-WrapLevels wrapLevels(const SurfaceMesh& target, const AABBTree& tree, const OuterRegion& region,
-  double offset, double wall, const Execution& execution = {});
+WrapLevels wrapLevels(const SurfaceMesh& target, const AABBTree& tree,
+  const std::vector<char>& hasInside, const OuterRegion& region, double offset, double wall,
+  const Execution& execution = {});
 
 } // namespace evolving
 

@@ -5,6 +5,7 @@
 
 #include "ParallelLoops.h"
 #include "Remeshing/Barycentric.h"
+#include "ShrinkWrap/ClosedParts.h"
 #include "ShrinkWrap/SurfaceReport.h"
 #include "ShrinkWrap/TrianglePlaces.h"
 #include "Trees/TriangleGeometry.h"
@@ -29,11 +30,19 @@ constexpr double SureSide = 0.1;
 constexpr int Pushes = 3;
 constexpr double NearlyAtLevel = 0.98;
 
-/// The triangles that the ball comes near to; all, when it comes near to none.
-SurfaceMesh withoutHidden(const SurfaceMesh& surface, const OuterRegion& region)
+/// Some triangles of a target.
+struct PartOfTarget
 {
-  SurfaceMesh kept;
-  kept.points = surface.points;
+  SurfaceMesh mesh;
+  std::vector<char> hasInside; ///< of each triangle, in the whole target
+};
+
+/// The triangles that the ball comes near to; all, when it comes near to none.
+PartOfTarget withoutHidden(const SurfaceMesh& surface, const OuterRegion& region)
+{
+  const std::vector<char> hasInside = facesOfClosedParts(surface);
+  PartOfTarget kept;
+  kept.mesh.points = surface.points;
   for (Index f = 0; f < surface.faceCount(); ++f)
   {
     const Triangle triangle = triangleOf(surface, f);
@@ -43,25 +52,28 @@ SurfaceMesh withoutHidden(const SurfaceMesh& surface, const OuterRegion& region)
       [&](const Vec3& p) { return region.isFarFrom(p + probe) && region.isFarFrom(p - probe); });
     if (!isHidden)
     {
-      kept.addFace(
+      kept.mesh.addFace(
         { surface.faceVertex(f, 0), surface.faceVertex(f, 1), surface.faceVertex(f, 2) });
+      kept.hasInside.push_back(hasInside[at(f)]);
     }
   }
-  return kept.faceCount() > 0 ? kept : surface;
+  return kept.mesh.faceCount() > 0 ? kept : PartOfTarget{ surface, hasInside };
 }
 
 } // namespace
 
 WrapReference::WrapReference(
   const WrapTarget& target, const OuterRegion& region, const Execution& execution)
-  : Visible(withoutHidden(target.surface, region))
-  , Tree(this->Visible, execution.phase(0.0, 0.3))
-  , Levels(wrapLevels(
-      this->Visible, this->Tree, region, target.offset, target.wall, execution.phase(0.3, 0.6)))
+  : Tree(SurfaceMesh())
   , Offset(target.offset)
   , Wall(target.wall)
   , Reach(FarEdges * target.edgeLength)
 {
+  PartOfTarget reached = withoutHidden(target.surface, region);
+  this->Visible = std::move(reached.mesh);
+  this->Tree = AABBTree(this->Visible, execution.phase(0.0, 0.3));
+  this->Levels = wrapLevels(this->Visible, this->Tree, reached.hasInside, region, target.offset,
+    target.wall, execution.phase(0.3, 0.6));
   if (this->Levels.triangles.faceCount() != this->Tree.triangleCount())
   {
     this->Tree = AABBTree(this->Levels.triangles, execution.phase(0.6, 0.8));

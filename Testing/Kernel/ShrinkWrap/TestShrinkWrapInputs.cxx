@@ -14,6 +14,7 @@
 #include "Shapes/Sheets.h"
 #include "Shapes/Tubes.h"
 #include "ShrinkWrap/WrapRuns.h"
+#include "ShrinkWrap/WrapTarget.h"
 #include "StartSurface/PrimitiveSurfaces.h"
 #include "Trees/AABBTree.h"
 
@@ -209,10 +210,14 @@ TEST(ShrinkWrapInputs, TooManyElementsAreRefusedBeforeAnyIsMade)
   options.offsetDistance = 0.0;
   options.targetEdgeLength = 1e-6;
   EXPECT_NE(refusal(sphere, options).find("set TargetEdgeLength"), std::string::npos);
-  // As thin as a hair: nine thousand vertices would cover its area, not the surface around it.
+}
+
+TEST(ShrinkWrapInputs, OfAHairElementsAreNotAsSmallAsItsAreaAsksFor)
+{
+  ShrinkWrapOptions options;
+  options.sampleDimensions = { 16, 16, 16 };
   const SurfaceMesh hair = shapes::triangleMesh(Vec3::Zero(), Vec3::UnitX(), Vec3(0.5, 1e-9, 0.0));
-  options.targetEdgeLength = 0.0;
-  EXPECT_NE(refusal(hair, options).find("set TargetEdgeLength"), std::string::npos);
+  EXPECT_NEAR(describeTarget(hair, options, {}).target.edgeLength, 1e-3, 1e-12);
 }
 
 TEST(ShrinkWrapInputs, PointsTooFarApartForAGapSizeGetAWallAroundThem)

@@ -28,7 +28,9 @@ constexpr double Wall = 0.05;
 WrapLevels levelsOf(const ReachedTarget& target, double offset = Offset, double wall = Wall,
   const Execution& execution = {})
 {
-  return wrapLevels(target.mesh, target.tree, target.region, offset, wall, execution);
+  const std::vector<char> noneHasInside(at(target.mesh.faceCount()), 0);
+  return wrapLevels(
+    target.mesh, target.tree, noneHasInside, target.region, offset, wall, execution);
 }
 
 Vec3 middleOf(const SurfaceMesh& mesh, Index face)

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ShrinkWrap/ClosedParts.h"
+
+#include "Mesh/DisjointSets.h"
+#include "Mesh/TriangleEdges.h"
+
+namespace evolving
+{
+
+namespace
+{
+
+bool usesAPointTwice(const SurfaceMesh& surface, Index face)
+{
+  const Index a = surface.faceVertex(face, 0);
+  const Index b = surface.faceVertex(face, 1);
+  const Index c = surface.faceVertex(face, 2);
+  return a == b || b == c || c == a;
+}
+
+/// The faces along an edge that count.
+std::vector<Index> facesAlong(const SurfaceMesh& surface, const TriangleEdges& edges, Index edge)
+{
+  std::vector<Index> faces;
+  for (const Index* corner = edges.begin(edge); corner != edges.end(edge); ++corner)
+  {
+    if (!usesAPointTwice(surface, *corner / 3))
+    {
+      faces.push_back(*corner / 3);
+    }
+  }
+  return faces;
+}
+
+} // namespace
+
+std::vector<char> facesOfClosedParts(const SurfaceMesh& surface)
+{
+  const TriangleEdges edges(surface);
+  DisjointSets parts(at(surface.faceCount()));
+  std::vector<Index> open; // a face at each edge that is not inside a manifold
+  for (Index edge = 0; edge < edges.edgeCount(); ++edge)
+  {
+    const std::vector<Index> faces = facesAlong(surface, edges, edge);
+    for (std::size_t i = 1; i < faces.size(); ++i)
+    {
+      parts.join(faces.front(), faces[i]);
+    }
+    if (!faces.empty() && faces.size() != 2)
+    {
+      open.push_back(faces.front());
+    }
+  }
+  std::vector<char> isOpen(at(surface.faceCount()), 0);
+  for (const Index face : open)
+  {
+    isOpen[at(parts.find(face))] = 1;
+  }
+  std::vector<char> isClosed(at(surface.faceCount()), 0);
+  for (Index face = 0; face < surface.faceCount(); ++face)
+  {
+    isClosed[at(face)] = isOpen[at(parts.find(face))] == 0 && !usesAPointTwice(surface, face);
+  }
+  return isClosed;
+}
+
+} // namespace evolving
