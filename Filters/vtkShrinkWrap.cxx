@@ -89,7 +89,7 @@ evolving::ShrinkWrapOptions vtkShrinkWrap::Options() const
   options.targetEdgeLength = this->TargetEdgeLength;
   options.gapSize = this->GapSize;
   options.adaptToCurvature = this->AdaptToCurvature;
-  options.preserveFeatures = this->PreserveFeatures;
+  options.preserveFeatures = static_cast<evolving::FeaturePreservation>(this->PreserveFeatures);
   options.featureAngle = this->FeatureAngle;
   options.numberOfSteps = this->NumberOfSteps;
   options.offsetDistance = this->OffsetDistance;

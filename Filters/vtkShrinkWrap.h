@@ -71,6 +71,14 @@ public:
     ICOSPHERE = 1
   };
 
+  /// Values of PreserveFeatures.
+  enum
+  {
+    OFF = 0,
+    ON = 1,
+    AUTOMATIC = 2
+  };
+
   ///@{
   /**
    * Publish the evolution as time steps, step 0 the start. Off by default: the output is the
@@ -138,11 +146,17 @@ public:
    * Edges and points of the result on sharp edges and corners of the input, also on those that end
    * inside a face. What triangles of the edge length cannot carry is left out: parts narrower than
    * 0.7 of it, and creases shorter than two. Not where the result does not lie on the input: at an
-   * OffsetDistance, and when the input has sheets that become walls. The default is off.
+   * OffsetDistance, and at sheets that become walls.
+   * AUTOMATIC, the default, does so on those connected parts of the input whose sharp edges are
+   * creases, as of a machined part: more than half of their length folds over six times as much as
+   * the other edges beside it. On scans and coarse models of smooth things it does not. ON does so
+   * everywhere, OFF nowhere.
    */
-  vtkSetMacro(PreserveFeatures, bool);
-  vtkGetMacro(PreserveFeatures, bool);
-  vtkBooleanMacro(PreserveFeatures, bool);
+  vtkSetClampMacro(PreserveFeatures, int, OFF, AUTOMATIC);
+  vtkGetMacro(PreserveFeatures, int);
+  void SetPreserveFeaturesToOff() { this->SetPreserveFeatures(OFF); }
+  void SetPreserveFeaturesToOn() { this->SetPreserveFeatures(ON); }
+  void SetPreserveFeaturesToAutomatic() { this->SetPreserveFeatures(AUTOMATIC); }
   ///@}
 
   ///@{
@@ -201,7 +215,7 @@ private:
   double TargetEdgeLength = 0.0;
   double GapSize = 0.0;
   bool AdaptToCurvature = false;
-  bool PreserveFeatures = false;
+  int PreserveFeatures = AUTOMATIC;
   double FeatureAngle = 45.0;
   int NumberOfSteps = 0;
   double OffsetDistance = 0.0;

@@ -137,7 +137,8 @@ int Comparison::addShrinkWrap(const Input& input)
   vtkNew<vtkShrinkWrap> filter;
   filter->SetInputData(input.model.surface);
   filter->SetAdaptToCurvature(this->Settings.isOn(Adapt));
-  filter->SetPreserveFeatures(this->Settings.isOn(Features));
+  filter->SetPreserveFeatures(
+    this->Settings.isOn(Features) ? vtkShrinkWrap::ON : vtkShrinkWrap::AUTOMATIC);
   if (this->Vertices != DefaultVertices && !input.isPointSet())
   {
     filter->SetTargetEdgeLength(input.edgeLength(this->Vertices));

@@ -102,7 +102,7 @@ WrapCase adaptive()
 WrapCase features()
 {
   ShrinkWrapOptions options;
-  options.preserveFeatures = true;
+  options.preserveFeatures = FeaturePreservation::On;
   return { "--features", "PreserveFeatures", options, 0.0, false,
     {
       ofFinish("passesBeforeCapture", &FinishTuning::passesBeforeCapture, { 2, 10 }),

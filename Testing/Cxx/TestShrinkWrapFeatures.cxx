@@ -30,23 +30,33 @@ void SetUpOnBox(vtkShrinkWrap* filter)
   filter->SetSampleDimensions(40, 40, 40);
   filter->SetTargetEdgeLength(0.2);
   filter->SetNumberOfSteps(30);
-  filter->PreserveFeaturesOn();
+  filter->SetPreserveFeaturesToOn();
 }
 
 //------------------------------------------------------------------------------
-TEST(ShrinkWrapFeatures, AreNotPreservedUnlessAskedFor)
+TEST(ShrinkWrapFeatures, ArePreservedOfABoxUnlessOff)
 {
   vtkNew<vtkShrinkWrap> filter;
-  EXPECT_FALSE(filter->GetPreserveFeatures());
+  EXPECT_EQ(filter->GetPreserveFeatures(), vtkShrinkWrap::AUTOMATIC);
+  filter->SetPreserveFeatures(7);
+  EXPECT_EQ(filter->GetPreserveFeatures(), vtkShrinkWrap::AUTOMATIC);
+  filter->SetPreserveFeatures(-1);
+  EXPECT_EQ(filter->GetPreserveFeatures(), vtkShrinkWrap::OFF);
+  filter->SetPreserveFeaturesToOn();
+  EXPECT_EQ(filter->GetPreserveFeatures(), vtkShrinkWrap::ON);
   EXPECT_EQ(filter->GetFeatureAngle(), 45.0);
   filter->SetFeatureAngle(-1.0);
   EXPECT_EQ(filter->GetFeatureAngle(), 0.0);
   filter->SetFeatureAngle(181.0);
   EXPECT_EQ(filter->GetFeatureAngle(), 180.0);
   SetUpOnBox(filter);
-  filter->PreserveFeaturesOff();
+  filter->SetPreserveFeaturesToOff();
   filter->Update();
   EXPECT_GT(LargestDistance(Sample::Box(4), filter->GetOutput()), 0.02);
+  filter->SetFeatureAngle(45.0);
+  filter->SetPreserveFeaturesToAutomatic();
+  filter->Update();
+  EXPECT_LT(LargestDistance(Sample::Box(4), filter->GetOutput()), Rounding);
 }
 
 //------------------------------------------------------------------------------
@@ -80,6 +90,10 @@ TEST(ShrinkWrapFeatures, AreThoseBeyondTheAngle)
   filter->Update();
   EXPECT_EQ(filter->GetNumberOfSolves(), 2);
   EXPECT_GT(LargestDistance(Sample::Box(4), filter->GetOutput()), 0.02);
+  filter->SetFeatureAngle(45.0);
+  filter->SetPreserveFeaturesToAutomatic();
+  filter->Update();
+  EXPECT_LT(LargestDistance(Sample::Box(4), filter->GetOutput()), Rounding);
 }
 
 //------------------------------------------------------------------------------

@@ -214,7 +214,7 @@ class Pipelines(unittest.TestCase):
         wrap.SetSampleDimensions(40, 40, 40)
         wrap.SetTargetEdgeLength(0.25)
         wrap.SetNumberOfSteps(30)
-        wrap.PreserveFeaturesOn()
+        wrap.SetPreserveFeaturesToOn()
         wrap.SetFeatureAngle(60.0)
         wrap.Update()
         points = vtk_to_numpy(wrap.GetOutput().GetPoints().GetData())

@@ -63,8 +63,8 @@ OTHER_VALUES = {
         "OutputSteps": (True, {}), "Start": (es.vtkShrinkWrap.ICOSPHERE, {}),
         "SampleDimensions": ((32, 32, 32), {}), "TargetEdgeLength": (0.4, {}),
         "GapSize": (1.0, {}), "AdaptToCurvature": (True, {}),
-        "PreserveFeatures": (True, {"FeatureAngle": 10.0}),
-        "FeatureAngle": (10.0, {"PreserveFeatures": True}), "NumberOfSteps": (5, {}),
+        "PreserveFeatures": (es.vtkShrinkWrap.ON, {"FeatureAngle": 10.0}),
+        "FeatureAngle": (10.0, {"PreserveFeatures": es.vtkShrinkWrap.ON}), "NumberOfSteps": (5, {}),
         "OffsetDistance": (0.2, {})},
     "vtkSurfaceEvolution": {
         "TimeStep": (0.05, {}), "NumberOfSteps": (2, {}), "OutputInterval": (2, {}),

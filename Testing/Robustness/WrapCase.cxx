@@ -122,7 +122,7 @@ private:
     this->Filter->SetStart(
       random.chance(0.2) ? vtkShrinkWrap::ICOSPHERE : vtkShrinkWrap::ISOSURFACE);
     this->Filter->SetAdaptToCurvature(random.chance(0.3));
-    this->Filter->SetPreserveFeatures(random.chance(0.4));
+    this->Filter->SetPreserveFeatures(random.integer(0, 2));
     this->Filter->SetOutputSteps(random.chance(0.1));
     this->Filter->SetNumberOfSteps(random.chance(0.7) ? 0 : random.integer(1, 20));
   }

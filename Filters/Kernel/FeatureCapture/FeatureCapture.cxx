@@ -146,7 +146,9 @@ private:
     std::vector<Index> patchOfLabel(at(this->Features.labelCount()), FeatureReference::NoPatch);
     for (Index t = 0; t < this->Features.target().mesh().faceCount(); ++t)
     {
-      patchOfLabel[at(this->Features.labelOf(t))] = this->Features.patchOf(t);
+      const Index patch = this->Features.patchOf(t);
+      patchOfLabel[at(this->Features.labelOf(t))] =
+        this->Features.isExcludedPatch(patch) ? FeatureReference::NoPatch : patch;
     }
     for (Index f = 0; f < this->Surface.faceSlots(); ++f)
     {

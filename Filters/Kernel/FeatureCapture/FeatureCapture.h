@@ -23,7 +23,8 @@ namespace evolving
  * their patch, or FeatureReference::NoPatch beside creases that could not be captured; edges on
  * creases that of their curve; and corners are pinned. Elements are bad afterwards: remesh.
  *
- * @param surface lies on the target but for its creases
+ * @param surface lies on the target but for its creases, and but for excluded patches, whose faces
+ *   get no patch either
  * @throws Cancelled
  */
 void captureFeatures(

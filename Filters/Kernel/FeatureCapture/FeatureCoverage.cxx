@@ -38,6 +38,9 @@ FeatureCoverage featureCoverage(
   const AABBTree edges(creaseEdges(surface));
   const TargetTriangles& target = features.target();
   FeatureCoverage coverage;
+  coverage.length = features.excluded().length;
+  coverage.missing = features.excluded().length;
+  coverage.place = features.excluded().place;
   for (const FeatureCurve& curve : features.curves().curves())
   {
     for (const Index edge : curve.edges)

@@ -6,7 +6,9 @@
 #include "Errors.h"
 #include "Features/CarriableFeatures.h"
 #include "Features/DartCharts.h"
+#include "Features/DistinctCreases.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -26,10 +28,60 @@ double lengthOf(const TargetTriangles& target, const std::vector<Index>& edges)
   return length;
 }
 
+std::vector<char> excludedTriangles(const TargetTriangles& target, const FeatureOptions& options)
+{
+  const SurfaceMesh& mesh = target.mesh();
+  std::vector<char> isExcluded(at(mesh.faceCount()), 0);
+  for (Index f = 0; options.isExcluded && f < mesh.faceCount(); ++f)
+  {
+    const Vec3 middle = (mesh.facePoint(f, 0) + mesh.facePoint(f, 1) + mesh.facePoint(f, 2)) / 3.0;
+    isExcluded[at(f)] = options.isExcluded(middle);
+  }
+  return isExcluded;
+}
+
+/// Leaves out the sharp edges of triangles that are excluded.
+ExcludedCreases exclude(
+  const TargetTriangles& target, const std::vector<char>& isExcluded, SharpEdges& sharp)
+{
+  ExcludedCreases excluded;
+  for (const Index edge : sharp.list())
+  {
+    const TriangleEdges& edges = target.edges();
+    if (std::any_of(edges.begin(edge), edges.end(edge),
+          [&](Index corner) { return isExcluded[at(TargetTriangles::faceOf(corner))] != 0; }))
+    {
+      sharp.leaveOut(edge);
+      excluded.length += target.edgeLength(edge);
+      const auto [a, b] = target.edgeVertices(edge);
+      excluded.place = 0.5 * (target.point(a) + target.point(b));
+    }
+  }
+  return excluded;
+}
+
+std::vector<char> excludedPatches(
+  const TriangleLabels& patches, const std::vector<char>& isExcludedTriangle)
+{
+  std::vector<char> isExcluded(at(patches.count), 0);
+  for (std::size_t f = 0; f < isExcludedTriangle.size(); ++f)
+  {
+    char& flag = isExcluded[at(patches.ofTriangle[f])];
+    flag = flag != 0 || isExcludedTriangle[f] != 0;
+  }
+  return isExcluded;
+}
+
 SharpEdges carriableEdges(const TargetTriangles& target, const FeatureOptions& options,
-  const Execution& execution, double& lengthLeftOut)
+  const std::vector<char>& isExcluded, const Execution& execution, double& lengthLeftOut,
+  ExcludedCreases& excluded)
 {
   SharpEdges sharp(target, options.angle, options.withBoundary, execution);
+  if (options.onlyDistinct)
+  {
+    keepDistinctCreases(target, sharp);
+  }
+  excluded = exclude(target, isExcluded, sharp);
   const double all = lengthOf(target, sharp.list());
   keepCarriable(target, sharp, options.edgeLength, execution);
   lengthLeftOut = all - lengthOf(target, sharp.list());
@@ -105,8 +157,11 @@ void requireUsable(const FeatureOptions& options)
 TargetFeatures::TargetFeatures(
   const SurfaceMesh& surface, const FeatureOptions& options, const Execution& execution)
   : Target(surface, execution.phase(0.0, 0.2))
-  , Sharp(carriableEdges(this->Target, options, execution.phase(0.2, 0.4), this->LengthLeftOut))
+  , IsExcluded(excludedTriangles(this->Target, options))
+  , Sharp(carriableEdges(this->Target, options, this->IsExcluded, execution.phase(0.2, 0.4),
+      this->LengthLeftOut, this->Excluded))
   , Patches(surfacePatches(this->Target, this->Sharp))
+  , IsExcludedPatch(excludedPatches(this->Patches, this->IsExcluded))
   , Labels(separatingLabels(
       this->Target, this->Sharp, this->Patches, stripWidth(this->Target, this->Sharp, options)))
   , Network(this->Target, this->Sharp)

@@ -20,6 +20,7 @@
 #include "Trees/AABBTree.h"
 #include "Types.h"
 
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -33,8 +34,20 @@ struct FeatureOptions
   /// Of the elements that are to carry the creases, in the target's unit; creases that they cannot
   /// carry are left out, see keepCarriable(). 0 keeps all.
   double edgeLength = 0.0;
+  /// Are parts without creases, but with folds, left alone? See keepDistinctCreases().
+  bool onlyDistinct = false;
   /// Do edges of one face count as sharp? They have one label.
   bool withBoundary = false;
+  /// Where the surface is not wanted with its creases; by the middles of its triangles. May be
+  /// null.
+  std::function<bool(const Vec3& point)> isExcluded = nullptr;
+};
+
+/// Creases that are not wanted.
+struct ExcludedCreases
+{
+  double length = 0.0;
+  Vec3 place = Vec3::Zero(); ///< on one
 };
 
 /// A point of the surface.
@@ -74,6 +87,10 @@ public:
   Index patchOf(Index triangle) const { return this->Patches[triangle]; }
   /// The length of the sharp edges that elements cannot carry.
   double lengthLeftOut() const { return this->LengthLeftOut; }
+  /// The sharp edges beside triangles that are excluded.
+  const ExcludedCreases& excluded() const { return this->Excluded; }
+  /// Is a triangle of a patch excluded?
+  bool isExcludedPatch(Index patch) const { return this->IsExcludedPatch[at(patch)] != 0; }
 
   /// The closest point of the surface.
   LabelledPoint closestPoint(const Vec3& point) const;
@@ -91,9 +108,12 @@ public:
 
 private:
   TargetTriangles Target;
-  double LengthLeftOut = 0.0; ///< before Sharp, whose construction sets it
+  std::vector<char> IsExcluded; ///< of each triangle
+  double LengthLeftOut = 0.0;   ///< before Sharp, whose construction sets it
+  ExcludedCreases Excluded;     ///< so, too
   SharpEdges Sharp;
   TriangleLabels Patches;
+  std::vector<char> IsExcludedPatch;
   TriangleLabels Labels;
   FeatureCurves Network;
   LabelBorders Borders;

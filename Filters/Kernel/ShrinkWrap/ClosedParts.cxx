@@ -6,11 +6,32 @@
 #include "Mesh/DisjointSets.h"
 #include "Mesh/TriangleEdges.h"
 
+#include <cmath>
+
 namespace evolving
 {
 
 namespace
 {
+
+struct Part
+{
+  bool isOpen = false;
+  double area = 0.0;
+  double sixVolumes = 0.0; ///< signed; less than it is where faces are turned against each other
+
+  void add(const SurfaceMesh& surface, Index face, const Vec3& origin)
+  {
+    const Vec3 doubleArea = 2.0 * faceVectorArea(surface, face);
+    this->area += 0.5 * doubleArea.norm();
+    this->sixVolumes += doubleArea.dot(surface.facePoint(face, 0) - origin);
+  }
+
+  double meanThickness() const
+  {
+    return this->area > 0.0 ? std::abs(this->sixVolumes) / (3.0 * this->area) : 0.0;
+  }
+};
 
 bool usesAPointTwice(const SurfaceMesh& surface, Index face)
 {
@@ -36,7 +57,7 @@ std::vector<Index> facesAlong(const SurfaceMesh& surface, const TriangleEdges& e
 
 } // namespace
 
-std::vector<char> facesOfClosedParts(const SurfaceMesh& surface)
+std::vector<char> facesOfClosedParts(const SurfaceMesh& surface, double thickness)
 {
   const TriangleEdges edges(surface);
   DisjointSets parts(at(surface.faceCount()));
@@ -53,15 +74,22 @@ std::vector<char> facesOfClosedParts(const SurfaceMesh& surface)
       open.push_back(faces.front());
     }
   }
-  std::vector<char> isOpen(at(surface.faceCount()), 0);
+  std::vector<Part> measured(at(surface.faceCount())); // by their smallest face
   for (const Index face : open)
   {
-    isOpen[at(parts.find(face))] = 1;
+    measured[at(parts.find(face))].isOpen = true;
+  }
+  for (Index face = 0; face < surface.faceCount(); ++face)
+  {
+    const Index first = parts.find(face);
+    measured[at(first)].add(surface, face, surface.facePoint(first, 0));
   }
   std::vector<char> isClosed(at(surface.faceCount()), 0);
   for (Index face = 0; face < surface.faceCount(); ++face)
   {
-    isClosed[at(face)] = isOpen[at(parts.find(face))] == 0 && !usesAPointTwice(surface, face);
+    const Part& part = measured[at(parts.find(face))];
+    isClosed[at(face)] =
+      !part.isOpen && part.meanThickness() > thickness && !usesAPointTwice(surface, face);
   }
   return isClosed;
 }

@@ -22,6 +22,14 @@ enum class WrapStart
   Icosphere = 1,  ///< a sphere around the target, as in the thesis
 };
 
+/// Whether edges and vertices come to lie on creases and corners of the target.
+enum class FeaturePreservation
+{
+  Off = 0,
+  On = 1,
+  Automatic = 2, ///< on those parts whose sharp edges are creases: keepDistinctCreases()
+};
+
 struct ShrinkWrapOptions
 {
   WrapStart start = WrapStart::Isosurface;
@@ -31,10 +39,10 @@ struct ShrinkWrapOptions
   /// or 1.6 cells wide, and wider cracks where without them nearly nothing would be inside.
   double gapSize = 0.0;
   bool adaptToCurvature = false; ///< as many elements, smaller ones where the target is curved
-  bool preserveFeatures = false; ///< edges and vertices on creases and corners of the target
-  double featureAngle = 45.0;    ///< degrees between normals from which an edge is a crease
-  int numberOfSteps = 0;         ///< 0 = as many as the start needs
-  double offsetDistance = 0.0;   ///< of the result from the target, outwards
+  FeaturePreservation preserveFeatures = FeaturePreservation::Automatic;
+  double featureAngle = 45.0;  ///< degrees between normals from which an edge is a crease
+  int numberOfSteps = 0;       ///< 0 = as many as the start needs
+  double offsetDistance = 0.0; ///< of the result from the target, outwards
 };
 
 /// All of them: a new one does not compile before it is listed here.

@@ -40,9 +40,16 @@ public:
     , Run(execution)
   {
     setUniformSizes(this->Surface, this->Size);
-    if (options.preserveFeatures)
+    if (options.preserveFeatures != FeaturePreservation::Off)
     {
-      const FeatureOptions features{ options.featureAngle, target.edgeLength };
+      FeatureOptions features;
+      features.angle = options.featureAngle;
+      features.edgeLength = target.edgeLength;
+      features.onlyDistinct = options.preserveFeatures == FeaturePreservation::Automatic;
+      if (reference.hasSheets()) // with walls around them, which have no creases
+      {
+        features.isExcluded = [&reference](const Vec3& p) { return reference.isAtSheet(p); };
+      }
       this->Features.emplace(
         findFeatures(reference.visible(), features, execution.phase(0.0, 0.0)));
     }
@@ -54,9 +61,7 @@ public:
     this->stage(0.05, 0.2, &Finish::remesh);
     if (this->canCapture())
     {
-      this->OnFeatures.emplace(this->Reference, *this->Features,
-        this->Tuning.reachSizes * this->Size, this->Run.phase(0.2, 0.2));
-      this->stage(0.2, 0.3, &Finish::capture);
+      this->captureOrLeave();
     }
     if (this->Options.adaptToCurvature)
     {
@@ -88,6 +93,21 @@ public:
   }
 
 private:
+  /// Elements as large as the model itself can collapse onto its corners.
+  void captureOrLeave()
+  {
+    const EditableSurface before = this->Surface;
+    this->OnFeatures.emplace(this->Reference, *this->Features, this->Tuning.reachSizes * this->Size,
+      this->Run.phase(0.2, 0.2));
+    this->stage(0.2, 0.3, &Finish::capture);
+    const double volume = signedVolume(before.mesh());
+    if (signedVolume(this->Surface.mesh()) < this->Tuning.leastVolumeAfterCapture * volume)
+    {
+      this->Surface = before;
+      this->OnFeatures.reset();
+    }
+  }
+
   using Work = void (Finish::*)(EditableSurface&, const Execution&) const;
 
   using Guard = std::function<Index(EditableSurface&, const RemeshingStage&, const Execution&)>;
@@ -110,7 +130,8 @@ private:
   /// Without creases nothing may change.
   bool canCapture() const
   {
-    return this->Features && this->IsOnTarget && !this->Features->curves().curves().empty();
+    return this->Features && !this->Reference.hasOffset() &&
+      !this->Features->curves().curves().empty();
   }
 
   /// What the result lies on.

@@ -38,9 +38,10 @@ struct PartOfTarget
 };
 
 /// The triangles that the ball comes near to; all, when it comes near to none.
-PartOfTarget withoutHidden(const SurfaceMesh& surface, const OuterRegion& region)
+PartOfTarget withoutHidden(const SurfaceMesh& surface, const OuterRegion& region, double wall)
 {
-  const std::vector<char> hasInside = facesOfClosedParts(surface);
+  constexpr double BothSides = 2.0; // of a wall; a thinner part is one
+  const std::vector<char> hasInside = facesOfClosedParts(surface, BothSides * wall);
   PartOfTarget kept;
   kept.mesh.points = surface.points;
   for (Index f = 0; f < surface.faceCount(); ++f)
@@ -69,7 +70,7 @@ WrapReference::WrapReference(
   , Wall(target.wall)
   , Reach(FarEdges * target.edgeLength)
 {
-  PartOfTarget reached = withoutHidden(target.surface, region);
+  PartOfTarget reached = withoutHidden(target.surface, region, target.wall);
   this->Visible = std::move(reached.mesh);
   this->Tree = AABBTree(this->Visible, execution.phase(0.0, 0.3));
   this->Levels = wrapLevels(this->Visible, this->Tree, reached.hasInside, region, target.offset,

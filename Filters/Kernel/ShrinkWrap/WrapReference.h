@@ -44,8 +44,10 @@ public:
   bool isAtSheet(const Vec3& point) const;
   /// Is there a sheet that can be reached from both sides?
   bool hasSheets() const { return this->HasSheets; }
+  /// Does the result lie at a distance from the target, everywhere?
+  bool hasOffset() const { return this->Offset > 0.0; }
   /// Does the result lie on the target everywhere?
-  bool isOnTarget() const { return this->Offset == 0.0 && !this->HasSheets; }
+  bool isOnTarget() const { return !this->hasOffset() && !this->HasSheets; }
 
   /// How far from the target the result lies at most where it is to lie.
   double highestLevel() const

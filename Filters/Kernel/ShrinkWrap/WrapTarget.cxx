@@ -5,6 +5,7 @@
 
 #include "Distance/SignedDistance.h"
 #include "Errors.h"
+#include "Mesh/SeamWelding.h"
 #include "Mesh/TopologySummary.h"
 #include "ShrinkWrap/PointSurface.h"
 #include "ShrinkWrap/TightGrid.h"
@@ -143,7 +144,7 @@ DescribedTarget describeTarget(const SurfaceMesh& mesh, const ShrinkWrapOptions&
   const bool isPointSet = mesh.faceCount() == 0;
   target.surface = isPointSet
     ? surfaceAmidst(mesh, options, execution.phase(0.0, 0.4), tuning.points)
-    : weldCoincidentPoints(mesh);
+    : weldSeams(weldCoincidentPoints(mesh), roundingOf(mesh));
   target.area = surfaceArea(target.surface);
   target.offset = options.offsetDistance;
   target.edgeLength = options.targetEdgeLength > 0.0

@@ -140,6 +140,8 @@ struct FinishTuning
   /// Faces farther from their patch of the target have no place there. Nearer than that, many that
   /// belong there are lost (column "least angle" with --features).
   double reachSizes = 2.0;
+  /// Of the volume before: a wrap that loses more by the capture of creases has collapsed.
+  double leastVolumeAfterCapture = 0.5;
   int settleRounds = 2;  ///< at rims of walls
   int landingRounds = 4; ///< on an offset, which is a promise for vertices
 };

@@ -37,7 +37,7 @@ struct Wrapped
 inline ShrinkWrapOptions withFeatures(double edgeLength)
 {
   ShrinkWrapOptions options = quick(edgeLength, 48);
-  options.preserveFeatures = true;
+  options.preserveFeatures = FeaturePreservation::On;
   return options;
 }
 

@@ -100,6 +100,7 @@ TEST(CoarseWraps, HaveTheModelsShapeOrSaySo)
     const double size = boundingBox(model.mesh).diagonal().norm();
     for (const double part : { 300.0, 0.6, 0.4, 0.3, 0.2, 0.15, 0.1 })
     {
+      SCOPED_TRACE(std::string(model.name) + " with edges of " + std::to_string(part));
       const Outcome outcome = wrapped(model.mesh, part * size);
       const bool isSaid = outcome.words.find("TargetEdgeLength") != std::string::npos;
       EXPECT_TRUE(isSaid || showsShape(outcome.surface, model.mesh))
