@@ -41,6 +41,7 @@ FeatureCoverage featureCoverage(
   coverage.length = features.excluded().length;
   coverage.missing = features.excluded().length;
   coverage.place = features.excluded().place;
+  coverage.leftOut = features.leftOut();
   for (const FeatureCurve& curve : features.curves().curves())
   {
     for (const Index edge : curve.edges)

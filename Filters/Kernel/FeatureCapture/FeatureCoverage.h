@@ -21,6 +21,7 @@ struct FeatureCoverage
   double length = 0.0;       ///< of the creases that elements can carry
   double missing = 0.0;      ///< of those that no edge of the surface lies on
   Vec3 place = Vec3::Zero(); ///< on one that is missing
+  OmittedCreases leftOut;    ///< that elements cannot carry
 };
 
 /**

@@ -40,11 +40,26 @@ std::vector<char> excludedTriangles(const TargetTriangles& target, const Feature
   return isExcluded;
 }
 
-/// Leaves out the sharp edges of triangles that are excluded.
-ExcludedCreases exclude(
-  const TargetTriangles& target, const std::vector<char>& isExcluded, SharpEdges& sharp)
+/// Of some edges those that are not sharp any more.
+OmittedCreases omitted(
+  const TargetTriangles& target, const std::vector<Index>& edges, const SharpEdges& sharp)
 {
-  ExcludedCreases excluded;
+  OmittedCreases creases;
+  for (const Index edge : edges)
+  {
+    if (!sharp.isSharp(edge))
+    {
+      creases.length += target.edgeLength(edge);
+      const auto [a, b] = target.edgeVertices(edge);
+      creases.place = 0.5 * (target.point(a) + target.point(b));
+    }
+  }
+  return creases;
+}
+
+/// Leaves out the sharp edges of triangles that are excluded.
+void exclude(const TargetTriangles& target, const std::vector<char>& isExcluded, SharpEdges& sharp)
+{
   for (const Index edge : sharp.list())
   {
     const TriangleEdges& edges = target.edges();
@@ -52,12 +67,8 @@ ExcludedCreases exclude(
           [&](Index corner) { return isExcluded[at(TargetTriangles::faceOf(corner))] != 0; }))
     {
       sharp.leaveOut(edge);
-      excluded.length += target.edgeLength(edge);
-      const auto [a, b] = target.edgeVertices(edge);
-      excluded.place = 0.5 * (target.point(a) + target.point(b));
     }
   }
-  return excluded;
 }
 
 std::vector<char> excludedPatches(
@@ -73,18 +84,20 @@ std::vector<char> excludedPatches(
 }
 
 SharpEdges carriableEdges(const TargetTriangles& target, const FeatureOptions& options,
-  const std::vector<char>& isExcluded, const Execution& execution, double& lengthLeftOut,
-  ExcludedCreases& excluded)
+  const std::vector<char>& isExcluded, const Execution& execution, OmittedCreases& excluded,
+  OmittedCreases& leftOut)
 {
   SharpEdges sharp(target, options.angle, options.withBoundary, execution);
   if (options.onlyDistinct)
   {
     keepDistinctCreases(target, sharp);
   }
-  excluded = exclude(target, isExcluded, sharp);
-  const double all = lengthOf(target, sharp.list());
+  const std::vector<Index> all = sharp.list();
+  exclude(target, isExcluded, sharp);
+  excluded = omitted(target, all, sharp);
+  const std::vector<Index> wanted = sharp.list();
   keepCarriable(target, sharp, options.edgeLength, execution);
-  lengthLeftOut = all - lengthOf(target, sharp.list());
+  leftOut = omitted(target, wanted, sharp);
   return sharp;
 }
 
@@ -159,7 +172,7 @@ TargetFeatures::TargetFeatures(
   : Target(surface, execution.phase(0.0, 0.2))
   , IsExcluded(excludedTriangles(this->Target, options))
   , Sharp(carriableEdges(this->Target, options, this->IsExcluded, execution.phase(0.2, 0.4),
-      this->LengthLeftOut, this->Excluded))
+      this->Excluded, this->LeftOut))
   , Patches(surfacePatches(this->Target, this->Sharp))
   , IsExcludedPatch(excludedPatches(this->Patches, this->IsExcluded))
   , Labels(separatingLabels(

@@ -43,8 +43,8 @@ struct FeatureOptions
   std::function<bool(const Vec3& point)> isExcluded = nullptr;
 };
 
-/// Creases that are not wanted.
-struct ExcludedCreases
+/// Some creases, of which none is kept.
+struct OmittedCreases
 {
   double length = 0.0;
   Vec3 place = Vec3::Zero(); ///< on one
@@ -85,10 +85,10 @@ public:
   /// How many pieces the creases alone cut the surface into: labels without artificial borders.
   Index patchCount() const { return this->Patches.count; }
   Index patchOf(Index triangle) const { return this->Patches[triangle]; }
-  /// The length of the sharp edges that elements cannot carry.
-  double lengthLeftOut() const { return this->LengthLeftOut; }
+  /// The sharp edges that elements cannot carry.
+  const OmittedCreases& leftOut() const { return this->LeftOut; }
   /// The sharp edges beside triangles that are excluded.
-  const ExcludedCreases& excluded() const { return this->Excluded; }
+  const OmittedCreases& excluded() const { return this->Excluded; }
   /// Is a triangle of a patch excluded?
   bool isExcludedPatch(Index patch) const { return this->IsExcludedPatch[at(patch)] != 0; }
 
@@ -109,8 +109,8 @@ public:
 private:
   TargetTriangles Target;
   std::vector<char> IsExcluded; ///< of each triangle
-  double LengthLeftOut = 0.0;   ///< before Sharp, whose construction sets it
-  ExcludedCreases Excluded;     ///< so, too
+  OmittedCreases LeftOut;       ///< before Sharp, whose construction sets it
+  OmittedCreases Excluded;      ///< so, too
   SharpEdges Sharp;
   TriangleLabels Patches;
   std::vector<char> IsExcludedPatch;

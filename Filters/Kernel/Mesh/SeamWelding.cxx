@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace evolving
@@ -16,18 +18,39 @@ namespace evolving
 namespace
 {
 
-/// The vertices of edges with one face.
-std::vector<Index> openVertices(const SurfaceMesh& mesh)
+std::pair<Index, Index> endsOf(const SurfaceMesh& mesh, Index corner)
 {
-  const TriangleEdges edges(mesh);
+  return std::minmax({ mesh.cornerVertices[at(corner)],
+    mesh.cornerVertices[at(TriangleEdges::nextCorner(corner))] });
+}
+
+/// The ends of edges that are no longer than a tolerance.
+std::set<std::pair<Index, Index>> shortEdges(
+  const SurfaceMesh& mesh, const TriangleEdges& edges, double tolerance)
+{
+  std::set<std::pair<Index, Index>> ends;
+  for (Index edge = 0; edge < edges.edgeCount(); ++edge)
+  {
+    const auto [a, b] = endsOf(mesh, *edges.begin(edge));
+    if ((mesh.points[at(b)] - mesh.points[at(a)]).norm() <= tolerance)
+    {
+      ends.emplace(a, b);
+    }
+  }
+  return ends;
+}
+
+/// The vertices of edges with one face.
+std::vector<Index> openVertices(const SurfaceMesh& mesh, const TriangleEdges& edges)
+{
   std::vector<Index> vertices;
   for (Index edge = 0; edge < edges.edgeCount(); ++edge)
   {
     if (edges.faceCount(edge) == 1)
     {
-      const Index corner = *edges.begin(edge);
-      vertices.push_back(mesh.cornerVertices[at(corner)]);
-      vertices.push_back(mesh.cornerVertices[at(TriangleEdges::nextCorner(corner))]);
+      const auto [a, b] = endsOf(mesh, *edges.begin(edge));
+      vertices.push_back(a);
+      vertices.push_back(b);
     }
   }
   std::sort(vertices.begin(), vertices.end());
@@ -39,7 +62,9 @@ std::vector<Index> openVertices(const SurfaceMesh& mesh)
 
 SurfaceMesh weldSeams(const SurfaceMesh& mesh, double tolerance)
 {
-  std::vector<Index> open = openVertices(mesh);
+  const TriangleEdges edges(mesh);
+  const std::set<std::pair<Index, Index>> joined = shortEdges(mesh, edges, tolerance);
+  std::vector<Index> open = openVertices(mesh, edges);
   const auto x = [&mesh](Index v) { return mesh.points[at(v)].x(); };
   std::stable_sort(open.begin(), open.end(), [&x](Index a, Index b) { return x(a) < x(b); });
   DisjointSets places(mesh.points.size());
@@ -48,7 +73,8 @@ SurfaceMesh weldSeams(const SurfaceMesh& mesh, double tolerance)
   {
     for (std::size_t j = i + 1; j < open.size() && x(open[j]) - x(open[i]) <= tolerance; ++j)
     {
-      if ((mesh.points[at(open[j])] - mesh.points[at(open[i])]).norm() <= tolerance)
+      const bool isNear = (mesh.points[at(open[j])] - mesh.points[at(open[i])]).norm() <= tolerance;
+      if (isNear && joined.count(std::minmax({ open[i], open[j] })) == 0)
       {
         places.join(open[i], open[j]);
         joins = true;
@@ -59,12 +85,12 @@ SurfaceMesh weldSeams(const SurfaceMesh& mesh, double tolerance)
   {
     return mesh;
   }
-  SurfaceMesh joined = mesh;
+  SurfaceMesh closed = mesh;
   for (Index v = 0; v < mesh.vertexCount(); ++v)
   {
-    joined.points[at(v)] = mesh.points[at(places.find(v))];
+    closed.points[at(v)] = mesh.points[at(places.find(v))];
   }
-  return weldCoincidentPoints(joined);
+  return weldCoincidentPoints(closed);
 }
 
 double roundingOf(const SurfaceMesh& mesh)

@@ -17,7 +17,7 @@ namespace evolving
 /**
  * Joins points of open edges that are no farther apart than a tolerance, in chains too: the last
  * column of a surface of revolution misses the first by rounding. Each takes the place of the
- * smallest number; faces that then use a point twice are dropped, as by weldCoincidentPoints().
+ * smallest number. The ends of an edge are not joined: a needle is no seam.
  * @param mesh triangles, welded
  * @param tolerance a length; 0 changes nothing
  */

@@ -141,6 +141,14 @@ private:
         "): other parts are too near, or the result does not lie on the target there; use a "
         "smaller TargetEdgeLength, and no OffsetDistance.");
     }
+    const double all = creases.length + creases.leftOut.length;
+    if (creases.leftOut.length > std::max(this->EdgeLength, MissingPart * all))
+    {
+      this->say("Of the target's creases, ", all, " long in all, ", creases.leftOut.length,
+        " are shorter, or nearer to each other, than triangles of this size can carry and are "
+        "rounded, some at (",
+        creases.leftOut.place.transpose(), "); use a smaller TargetEdgeLength.");
+    }
   }
 
   void sayOfCoarseParts()

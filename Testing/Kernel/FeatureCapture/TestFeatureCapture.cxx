@@ -57,7 +57,7 @@ TEST_P(FeatureCapture, CoversEveryCrease)
 {
   ASSERT_EQ(this->Features.curves().curves().size(), GetParam().curves);
   ASSERT_EQ(this->Features.curves().corners().size(), GetParam().corners);
-  ASSERT_EQ(this->Features.lengthLeftOut(), 0.0);
+  ASSERT_EQ(this->Features.leftOut().length, 0.0);
   const FeatureCoverage before = featureCoverage(this->Before, this->Features, 0.1 * size(), 0.01);
   EXPECT_NEAR(before.missing, before.length, 1e-9);
   // Of a rim, chords between points on it.

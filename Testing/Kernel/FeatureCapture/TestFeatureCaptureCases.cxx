@@ -26,7 +26,7 @@ TEST(FeatureCaptureOf, AChamferTooNarrowForElementsIsOneCrease)
   // result may cut across the corner that is left of it.
   const Shape shape{ "Chamfer", shapes::chamferedCube(0.03), 30.0, 0.12 };
   const TargetFeatures features = featuresOf(shape);
-  EXPECT_GT(features.lengthLeftOut(), 0.99);
+  EXPECT_GT(features.leftOut().length, 0.99);
   const EditableSurface surface = captured(shape, features);
   const FeatureCoverage coverage = featureCoverage(surface, features, 0.01, 0.03);
   EXPECT_EQ(coverage.missing, 0.0) << coverage.place.transpose();

@@ -68,7 +68,7 @@ TEST(CarriableFeatures, AreAllWithoutAnEdgeLength)
   const TargetFeatures box = carried(chamferedBox(0.01), 0.0);
   EXPECT_EQ(box.labelCount(), 7);
   EXPECT_EQ(creasesAtTheCutEdge(box), 2);
-  EXPECT_EQ(box.lengthLeftOut(), 0.0);
+  EXPECT_EQ(box.leftOut().length, 0.0);
 }
 
 TEST(CarriableFeatures, HaveOneCreaseForANarrowChamfer)
@@ -79,7 +79,7 @@ TEST(CarriableFeatures, HaveOneCreaseForANarrowChamfer)
   EXPECT_EQ(narrow.labelCount(), 6);
   EXPECT_EQ(narrow.curves().curves().size(), 12u);
   EXPECT_EQ(narrow.curves().corners().size(), 8u);
-  EXPECT_NEAR(narrow.lengthLeftOut(), 1.0, 1e-12);
+  EXPECT_NEAR(narrow.leftOut().length, 1.0, 1e-12);
   const TargetFeatures wide = carried(chamferedBox(1.5 * edgeLength), edgeLength);
   EXPECT_EQ(creasesAtTheCutEdge(wide), 2);
   EXPECT_EQ(wide.labelCount(), 7);
@@ -117,7 +117,7 @@ TEST(CarriableFeatures, OfAShapeSmallerThanElementsAreNone)
   const TargetFeatures box = carried(shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), 2.0);
   EXPECT_EQ(box.labelCount(), 1);
   EXPECT_TRUE(box.sharpEdges().list().empty());
-  EXPECT_NEAR(box.lengthLeftOut(), 12.0, 1e-12);
+  EXPECT_NEAR(box.leftOut().length, 12.0, 1e-12);
 }
 
 TEST(CarriableFeatures, KeepOneOfTwoCloseCreasesOfAWidePatch)

@@ -193,7 +193,7 @@ TEST(DartCharts, SeparateEverySideOnRandomBlocks)
     EXPECT_EQ(unseparatedEdges(fine), 0) << trial;
     const TargetFeatures coarse = featuresOf(blocks, 70.0, 1.0);
     EXPECT_EQ(unseparatedEdges(coarse), 0) << trial;
-    EXPECT_GT(coarse.lengthLeftOut(), fine.lengthLeftOut()) << trial;
+    EXPECT_GT(coarse.leftOut().length, fine.leftOut().length) << trial;
     EXPECT_LT(coarse.curves().curves().size(), rough.curves().curves().size()) << trial;
   }
 }

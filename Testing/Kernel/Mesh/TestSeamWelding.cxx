@@ -75,15 +75,12 @@ TEST(SeamWelding, LeavesWiderGapsAndInnerPointsAlone)
   EXPECT_TRUE(weldSeams(close, 1e-8) == close);
 }
 
-TEST(SeamWelding, DropsFacesThatBecomeAnEdge)
+TEST(SeamWelding, LeavesNeedlesAlone)
 {
-  SurfaceMesh mesh;
-  mesh.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1e-9, 0, 1e-9 } };
-  mesh.addFace({ 0, 1, 2 });
-  mesh.addFace({ 0, 3, 1 });
-  const SurfaceMesh welded = weldSeams(mesh, 1e-8);
-  EXPECT_EQ(welded.faceCount(), 1);
-  EXPECT_EQ(welded.vertexCount(), 3);
+  SurfaceMesh needle;
+  needle.points = { { 0, 0, 0 }, { 1e-9, 0, 0 }, { 0, 1, 0 } };
+  needle.addFace({ 0, 1, 2 });
+  EXPECT_TRUE(weldSeams(needle, 1e-8) == needle);
 }
 
 TEST(SeamWelding, ToleranceIsWhatFloatsRoundToAndNeverASize)

@@ -211,4 +211,19 @@ TEST(WrapFeatures, ADartIsThere)
   EXPECT_GT(farthestPlain, 0.01);
 }
 
+TEST(WrapFeatures, WhatElementsCannotCarryIsSaid)
+{
+  // A plate thinner than an element: both creases of its rim have no room side by side.
+  const SurfaceMesh plate = shapes::box(Vec3(0, 0, 0), Vec3(3, 3, 0.25));
+  const Wrapped coarse(plate, withFeatures(0.4));
+  EXPECT_GT(coarse.report.creases.leftOut.length, 11.0);
+  ASSERT_FALSE(coarse.sentences.empty());
+  const std::string& last = coarse.sentences.back();
+  EXPECT_NE(last.find("can carry"), std::string::npos) << last;
+  EXPECT_NE(last.find("smaller TargetEdgeLength"), std::string::npos) << last;
+  const Wrapped fine(plate, withFeatures(0.15));
+  EXPECT_EQ(fine.report.creases.leftOut.length, 0.0);
+  EXPECT_TRUE(fine.sentences.empty());
+}
+
 } // namespace
