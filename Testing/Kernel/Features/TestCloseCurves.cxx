@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 using namespace evolving;
@@ -54,7 +55,59 @@ std::size_t sharpAfter(const SurfaceMesh& mesh, double distance)
   return sharp.list().size();
 }
 
+/// Rings of these radii and heights, one after the other.
+SurfaceMesh revolved(const std::vector<std::pair<double, double>>& profile, Index columns)
+{
+  SurfaceMesh mesh;
+  for (const auto& [radius, z] : profile)
+  {
+    for (Index i = 0; i < columns; ++i)
+    {
+      const double angle = 2.0 * Pi * i / columns;
+      mesh.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+    }
+  }
+  for (Index ring = 0; ring + 1 < static_cast<Index>(profile.size()); ++ring)
+  {
+    for (Index i = 0; i < columns; ++i)
+    {
+      const Index a = ring * columns + i;
+      const Index b = ring * columns + (i + 1) % columns;
+      mesh.addFace({ a, b, b + columns });
+      mesh.addFace({ a, b + columns, a + columns });
+    }
+  }
+  return mesh;
+}
+
+/// Of each ring: has it sharp edges?
+Lines sharpRings(const SurfaceMesh& mesh, Index columns, double distance)
+{
+  const TargetTriangles target(mesh);
+  SharpEdges sharp(target, 30.0, false);
+  dropCloseCurves(target, sharp, distance);
+  Lines rings(at(mesh.vertexCount() / columns), 0);
+  for (const Index edge : sharp.list())
+  {
+    rings[at(target.edgeVertices(edge)[0] / columns)] = 1;
+  }
+  return rings;
+}
+
 } // namespace
+
+TEST(CloseCurves, OfTwoThatFoldAlikeTheShorterGoes)
+{
+  // A chamfer around a shaft's end, and one around a hole: 45 degrees on both sides.
+  constexpr Index Columns = 48;
+  const SurfaceMesh shaft =
+    revolved({ { 0.5, 0.0 }, { 1.0, 0.0 }, { 1.05, -0.05 }, { 1.05, -1.0 } }, Columns);
+  EXPECT_EQ(sharpRings(shaft, Columns, 0.05), (Lines{ 0, 1, 1, 0 }));
+  EXPECT_EQ(sharpRings(shaft, Columns, 0.1), (Lines{ 0, 0, 1, 0 }));
+  const SurfaceMesh hole =
+    revolved({ { 1.5, 0.0 }, { 1.05, 0.0 }, { 1.0, -0.05 }, { 1.0, -1.0 } }, Columns);
+  EXPECT_EQ(sharpRings(hole, Columns, 0.1), (Lines{ 0, 1, 0, 0 }));
+}
 
 TEST(CloseCurves, TheWeakerOfTwoGoes)
 {
