@@ -46,6 +46,7 @@ public:
   std::vector<std::string> all()
   {
     this->sayOfTopology();
+    this->sayOfGenus();
     this->sayOfElements();
     if (this->Far < FarEdges * this->EdgeLength)
     {
@@ -82,6 +83,23 @@ private:
         " pairs of triangles that intersect, one at (", this->Report.intersectionPlace.transpose(),
         "); use a smaller TargetEdgeLength.");
     }
+  }
+
+  void sayOfGenus()
+  {
+    const SurfaceReport& r = this->Report;
+    if (!r.wantedGenus || r.genus < 0 || (r.genus == *r.wantedGenus && r.components == 1))
+    {
+      return;
+    }
+    const char* const why = r.genus < *r.wantedGenus
+      ? "holes or handles narrower than about two triangles were closed or lost"
+      : (r.genus > *r.wantedGenus ? "parts of it that are near to each other were joined"
+                                  : "places thinner than a triangle were lost");
+    this->say("The target is one closed surface of genus ", *r.wantedGenus,
+      ", the result has genus ", r.genus, " in ", r.components,
+      r.components == 1 ? " part" : " parts", ": ", why,
+      "; use a smaller TargetEdgeLength and more SampleDimensions.");
   }
 
   void sayOfElements()

@@ -5,6 +5,8 @@
 
 #include "Distance/SignedDistance.h"
 #include "Errors.h"
+#include "Mesh/SelfIntersections.h"
+#include "Mesh/TopologySummary.h"
 #include "ParallelLoops.h"
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/SizingField.h"
@@ -154,7 +156,25 @@ ShrinkWrapProblem prepareShrinkWrap(const SurfaceMesh& mesh, const ShrinkWrapOpt
   problem.flow = flowFor(*target, options);
   problem.edgeLength = target->edgeLength;
   problem.modelSize = target->modelSize();
+  if (mesh.faceCount() > 0)
+  {
+    problem.wantedGenus = genusToKeep(target->surface, options, execution.phase(1.0, 1.0));
+  }
   return problem;
+}
+
+std::optional<Index> genusToKeep(
+  const SurfaceMesh& target, const ShrinkWrapOptions& options, const Execution& execution)
+{
+  if (options.gapSize > 0.0 || options.offsetDistance > 0.0)
+  {
+    return std::nullopt;
+  }
+  const TopologySummary topology = summarizeTopology(target);
+  const bool isOneSurface = topology.isClosed() && topology.isManifold() && topology.isOriented() &&
+    topology.components == 1;
+  const bool isClean = isOneSurface && selfIntersections(triangleView(target), execution).empty();
+  return isClean ? std::optional<Index>(topology.genus()) : std::nullopt;
 }
 
 std::size_t bytesOf(const ShrinkWrapProblem& problem)
@@ -175,6 +195,7 @@ SurfaceReport examineWrap(
   report.creases = problem.remesher->creases();
   report.coarse = findCoarseParts(surface);
   report.modelSize = problem.modelSize;
+  report.wantedGenus = problem.wantedGenus;
   return report;
 }
 

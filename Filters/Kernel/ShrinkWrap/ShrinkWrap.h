@@ -22,6 +22,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 
 namespace evolving
 {
@@ -36,6 +37,8 @@ struct ShrinkWrapProblem
   std::shared_ptr<const WrapReference> reference; ///< where the result shall lie, exactly
   double edgeLength = 0.0;                        ///< of the result
   double modelSize = 0.0; ///< the diagonal of the box that the result should fill
+  /// That of the target, where the result should have the same: genusToKeep().
+  std::optional<Index> wantedGenus;
 };
 
 /**
@@ -54,6 +57,16 @@ int wrapBytesPerSample();
  */
 ShrinkWrapProblem prepareShrinkWrap(const SurfaceMesh& mesh, const ShrinkWrapOptions& options,
   const Execution& execution = {}, const WrapTuning& tuning = {});
+
+/**
+ * The genus of a target that is one closed surface, manifold, oriented and without
+ * self-intersections, if it is wrapped as it is: none with a GapSize or an OffsetDistance, which
+ * close holes on purpose.
+ * @param target triangles, welded
+ * @throws Cancelled
+ */
+std::optional<Index> genusToKeep(
+  const SurfaceMesh& target, const ShrinkWrapOptions& options, const Execution& execution = {});
 
 /// What a problem holds in memory for its flow, the start aside.
 std::size_t bytesOf(const ShrinkWrapProblem& problem);

@@ -67,6 +67,7 @@ SurfaceReport examine(
   SurfaceReport report;
   report.isClosed = topology.isClosed();
   report.isManifold = topology.isManifold() && topology.isOriented();
+  report.components = topology.components;
   report.genus = report.isClosed && report.isManifold ? topology.genus() : -1;
   const auto pairs = selfIntersections(surface, execution.phase(0.0, 0.5));
   report.selfIntersections = static_cast<Index>(pairs.size());

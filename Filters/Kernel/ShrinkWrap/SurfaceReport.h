@@ -17,6 +17,7 @@
 #include "Types.h"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace evolving
@@ -32,8 +33,9 @@ struct SurfaceReport
   bool isManifold = false;     ///< one fan of faces at every vertex, consistently oriented
   Index selfIntersections = 0; ///< pairs of triangles
   Index genus = 0;             ///< of all components together; -1 when not closed or not manifold
-  double minAngle = 0.0;       ///< degrees
-  double maxDistance = 0.0;    ///< of a vertex from where it is meant to lie
+  Index components = 0;
+  double minAngle = 0.0;                 ///< degrees
+  double maxDistance = 0.0;              ///< of a vertex from where it is meant to lie
   Vec3 intersectionPlace = Vec3::Zero(); ///< in one of the intersecting triangles
   Vec3 minAnglePlace = Vec3::Zero();     ///< the middle of that triangle
   Vec3 maxDistancePlace = Vec3::Zero();  ///< that vertex
@@ -42,6 +44,8 @@ struct SurfaceReport
   FeatureCoverage creases;               ///< for who made the surface to say
   CoarseParts coarse;                    ///< likewise
   double modelSize = 0.0;                ///< likewise: the diagonal of its box; 0 = unknown
+  /// Likewise: the genus that it should have, in one part; none where that is not known.
+  std::optional<Index> wantedGenus;
 };
 
 /// How far a point is from where the surface is meant to lie.
