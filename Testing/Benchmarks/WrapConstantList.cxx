@@ -57,7 +57,7 @@ WrapCase uniform()
     {
       ofTarget("startPerEdge", &TargetTuning::startPerEdge, { 0.3, 0.75 }),
       ofTarget("startPerCell", &TargetTuning::startPerCell, { 0.4, 1.2 }),
-      ofTarget("wallPerEdge", &TargetTuning::wallPerEdge, { 0.2, 0.4 }),
+      ofTarget("wallPerEdge", &TargetTuning::wallPerEdge, { 0.3, 0.7 }),
       ofTarget("largestCrackEdges", &TargetTuning::largestCrackEdges, { 1.0, 4.0 }),
       ofTarget("crackStepEdges", &TargetTuning::crackStepEdges, { 0.25, 1.0 }),
       ofTarget("closedPart", &TargetTuning::closedPart, { 0.25, 0.75 }),

@@ -40,8 +40,8 @@ struct PartOfTarget
 /// The triangles that the ball comes near to; all, when it comes near to none.
 PartOfTarget withoutHidden(const SurfaceMesh& surface, const OuterRegion& region, double wall)
 {
-  constexpr double BothSides = 2.0; // of a wall; a thinner part is one
-  const std::vector<char> hasInside = facesOfClosedParts(surface, BothSides * wall);
+  constexpr double Thin = 1.2; // in halves of walls: closer layers would fold through each other
+  const std::vector<char> hasInside = facesOfClosedParts(surface, Thin * wall);
   PartOfTarget kept;
   kept.mesh.points = surface.points;
   for (Index f = 0; f < surface.faceCount(); ++f)

@@ -155,7 +155,8 @@ DescribedTarget describeTarget(const SurfaceMesh& mesh, const ShrinkWrapOptions&
   const double gap = isPointSet ? 0.0 : options.gapSize;
   target.surface = withoutHoles(
     target.surface, gap, lengths.narrowEdges * target.edgeLength, execution.phase(0.4, 0.5));
-  target.wall = lengths.wallPerEdge * target.edgeLength;
+  target.wall =
+    std::min(lengths.wallPerEdge * target.edgeLength, lengths.largestWall * target.modelSize());
   const double room =
     target.offset + std::max(lengths.largestCrackEdges * target.edgeLength, 0.5 * gap);
   target.grid = tightGrid(target.box, options.sampleDimensions, room);

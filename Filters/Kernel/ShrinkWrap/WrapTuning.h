@@ -25,9 +25,12 @@ struct TargetTuning
   double startPerEdge = 0.5;
   double startPerCell = 0.8;
   ///@}
-  /// Half the thickness of the walls that sheets become when both sides can be reached: two layers
-  /// of triangles closer than twice that would fold through each other.
-  double wallPerEdge = 0.3;
+  /// Half the thickness of the walls that sheets become when both sides can be reached. Rims are half
+  /// circles of that radius: smaller ones are collapsed and collapsed, and draw back from the sheet's
+  /// edge by two edge lengths (0.3; column "hausdorff" of a square), larger ones only lie farther off.
+  double wallPerEdge = 0.5;
+  /// And at most this part of the model's diagonal: with few elements it would not have its shape.
+  double largestWall = 0.05;
   ///@{
   /// Cracks up to so much wider than the start level closes are looked for, in such steps, and a
   /// target counts as closed when it encloses this part of what it encloses without cracks: a

@@ -104,7 +104,7 @@ TEST(ShrinkWrapInputs, AnOpenSheetBecomesAThinWall)
     p.z() = height(p);
   }
   const double edge = 0.1;
-  const double wall = 0.3 * edge;
+  const double wall = TargetTuning().wallPerEdge * edge;
   const SurfaceMesh result = wrap(sheet, quick(edge, 64));
   expectSound(result, 0);
   // The rim, 8 long, draws back by less than an element; there elements are larger than the wall is

@@ -89,7 +89,7 @@ TEST(WrapReference, HiddenPartsAreNoneOfIt)
 TEST(WrapReference, ADoubleSidedSheetIsAWall)
 {
   const auto reference = referenceFor(sheetOfSide(2.0, 12));
-  const double wall = 0.3 * 0.15;
+  const double wall = TargetTuning().wallPerEdge * 0.15;
   EXPECT_TRUE(reference->hasSheets());
   EXPECT_FALSE(reference->isOnTarget());
   for (const double side : { 1.0, -1.0 })
@@ -120,7 +120,7 @@ TEST(WrapReference, BesideTwoSheetsThatMeetItKeepsAwayFromBoth)
     p = Vec3(0.0, p.y(), p.x());
   }
   const auto reference = referenceFor(shapes::merged(sheetOfSide(2.0, 12), upright));
-  const double wall = 0.3 * 0.15;
+  const double wall = TargetTuning().wallPerEdge * 0.15;
   for (const Vec3& point : { Vec3(0.02, 0.1, 0.03), Vec3(0.06, 0.1, 0.01), Vec3(0.01, 0.1, 0.02) })
   {
     const Vec3 foot =
@@ -153,8 +153,8 @@ TEST(WrapReference, AFinOnASolidIsAWallAndTheSolidIsNot)
   EXPECT_FALSE(reference->isOnTarget());
   const auto side = reference->onSurface(Vec3(0.2, 1.05, 0.3), Vec3::UnitY(), 0, NoIndex);
   EXPECT_LT((side.point - Vec3(0.2, 1.0, 0.3)).norm(), 1e-12);
-  const auto wall = reference->onSurface(Vec3(0.1, 0.06, 1.7), Vec3::UnitY(), 0, NoIndex);
-  EXPECT_LT((wall.point - Vec3(0.1, 0.04, 1.7)).norm(), 1e-12);
+  const auto wall = reference->onSurface(Vec3(0.1, 0.07, 1.7), Vec3::UnitY(), 0, NoIndex);
+  EXPECT_LT((wall.point - Vec3(0.1, 0.01 + TargetTuning().wallPerEdge * 0.1, 1.7)).norm(), 1e-12);
 }
 
 TEST(WrapReference, AnOffsetIsADistanceFromTheSurface)

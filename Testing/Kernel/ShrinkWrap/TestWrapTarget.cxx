@@ -39,7 +39,7 @@ TEST(WrapTarget, LengthsFollowFromTheOptions)
   const WrapTarget target = describeTarget(icosphere(4), options, {}).target;
   EXPECT_NEAR(target.area, 4.0 * Pi, 0.04);
   EXPECT_EQ(target.edgeLength, 0.2);
-  EXPECT_NEAR(target.wall, 0.06, 1e-15);
+  EXPECT_NEAR(target.wall, TargetTuning().wallPerEdge * 0.2, 1e-15);
   EXPECT_EQ(target.offset, 0.3);
   EXPECT_NEAR(target.startLevel, 0.3 + 0.1, 1e-15);
   EXPECT_LT(target.cellSize(), 0.125); // else the start level would follow from the cells
