@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -100,8 +101,13 @@ TEST(ShrinkWrap, AMembraneIsNotPassedOverInSilence)
   filter->SetStartToIcosphere();
   filter->Update();
   EXPECT_TRUE(log.Errors.empty());
-  ASSERT_FALSE(log.Warnings.empty());
-  EXPECT_NE(log.Warnings.front().find("membrane"), std::string::npos);
+  // Its hole is closed, and the membrane over it is far from where it should be.
+  for (const char* word : { "genus 1, the result has genus 0", "membrane" })
+  {
+    EXPECT_TRUE(std::any_of(log.Warnings.begin(), log.Warnings.end(),
+      [word](const std::string& warning) { return warning.find(word) != std::string::npos; }))
+      << word;
+  }
   ExpectClosed(filter->GetOutput(), 0);
 }
 
