@@ -114,8 +114,8 @@ public:
   /**
    * Edge length of the result's triangles, in length units. The default is 0: sqrt(2 A / (9000
    * sqrt(3))) with A the input's area, about 9000 points, and more at an OffsetDistance; at least a
-   * thousandth of the input's diagonal. With AdaptToCurvature, the mean one. What would need more
-   * than two million points is an error.
+   * four-hundredth of the input's diagonal. With AdaptToCurvature, the mean one. What would need
+   * more than two million points is an error.
    */
   vtkSetClampMacro(TargetEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetEdgeLength, double);

@@ -18,7 +18,7 @@ namespace
 /// that size can carry.
 constexpr double DefaultVertexCount = 9000.0;
 /// Elements along the thinnest wire, whose wall has some more around it: not many more in all.
-constexpr double DefaultMostAlong = 1000.0;
+constexpr double DefaultMostAlong = 400.0;
 /// As of an input (FloatRange.cxx): distances of this size, and their squares, are floats.
 constexpr double SmallestLength = 1e-31;
 constexpr double LargestLength = 1e31;

@@ -70,7 +70,7 @@ double timeStepOf(const ShrinkWrapOptions& options);
 
 /**
  * sqrt(2 A / (9000 sqrt(3))): equilateral triangles of this edge cover A with 9000 vertices. Of a
- * wire or a needle, which has next to no area, a thousandth of its length.
+ * wire or a needle, which has next to no area, a four-hundredth of its length.
  */
 double defaultEdgeLength(double area, double length);
 
