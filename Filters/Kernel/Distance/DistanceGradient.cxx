@@ -8,6 +8,7 @@
 #include "Trees/TriangleGeometry.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace evolving
 {
@@ -47,12 +48,17 @@ std::vector<float> normalizedDifferences(
   return gradient;
 }
 
-std::vector<float> awayFromClosest(const SurfaceMesh& mesh, const DistanceGrid& grid,
+std::vector<float> awayFromClosest(const DistanceTarget& target, const DistanceGrid& grid,
   const std::vector<Index>& triangles, const std::vector<char>& inside, bool isSigned,
   const Execution& execution)
 {
   std::vector<float> gradient(3 * triangles.size());
-  const Pseudonormals normals(isSigned ? mesh : SurfaceMesh());
+  const SurfaceMesh& mesh = target.mesh;
+  std::optional<Pseudonormals> normals;
+  if (isSigned)
+  {
+    normals.emplace(mesh, target.orientation.edgeOfCorner);
+  }
   const double tooClose = 1e-6 * grid.spacing.minCoeff();
   forEachSample(grid, execution,
     [&](GridIndex sample, const Vec3& point)
@@ -62,7 +68,7 @@ std::vector<float> awayFromClosest(const SurfaceMesh& mesh, const DistanceGrid& 
       Vec3 direction = inside[s] ? Vec3(closest.point - point) : Vec3(point - closest.point);
       if (direction.norm() <= tooClose)
       {
-        direction = isSigned ? normals.at(triangles[s], closest.feature) : Vec3(Vec3::Zero());
+        direction = isSigned ? normals->at(triangles[s], closest.feature) : Vec3(Vec3::Zero());
       }
       const double length = direction.norm();
       direction = length > 0.0 ? Vec3(direction / length) : direction;

@@ -10,8 +10,8 @@
 #define EVOLVING_DISTANCE_GRADIENT_H
 
 #include "Distance/DistanceGrid.h"
+#include "Distance/DistanceTarget.h"
 #include "Execution.h"
-#include "Mesh/SurfaceMesh.h"
 
 #include <vector>
 
@@ -37,7 +37,7 @@ std::vector<float> normalizedDifferences(
  * @return three per sample
  * @throws Cancelled
  */
-std::vector<float> awayFromClosest(const SurfaceMesh& mesh, const DistanceGrid& grid,
+std::vector<float> awayFromClosest(const DistanceTarget& target, const DistanceGrid& grid,
   const std::vector<Index>& triangles, const std::vector<char>& inside, bool isSigned,
   const Execution& execution = {});
 

@@ -182,7 +182,7 @@ private:
       auto gradient = this->Options.smoothingSigma > 0.0
         ? normalizedDifferences(grid, field.distance, last)
         : awayFromClosest(
-            mesh, grid, field.triangle, inside, this->Sign != SignMethod::Unsigned, last);
+            this->Target, grid, field.triangle, inside, this->Sign != SignMethod::Unsigned, last);
       result.gradient = cut(std::move(gradient), 3, grid, part);
     }
   }

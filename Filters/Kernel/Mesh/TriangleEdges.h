@@ -12,6 +12,7 @@
 #include "Mesh/SurfaceMesh.h"
 #include "Types.h"
 
+#include <utility>
 #include <vector>
 
 namespace evolving
@@ -33,6 +34,8 @@ public:
   void turn(const std::vector<char>& isTurned);
 
   Index edgeCount() const { return static_cast<Index>(this->Offsets.size()) - 1; }
+  /// The edge number of every corner, when that is all one still needs.
+  std::vector<Index> takeEdgeOfCorner() && { return std::move(this->EdgeOfCorner); }
   Index edgeOf(Index corner) const { return this->EdgeOfCorner[at(corner)]; }
 
   /// The corners along an edge, in ascending order.

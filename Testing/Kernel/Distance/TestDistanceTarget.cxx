@@ -4,6 +4,7 @@
 #include "Distance/DistanceTarget.h"
 
 #include "Errors.h"
+#include "Mesh/TriangleEdges.h"
 #include "Shapes/MeshVariants.h"
 #include "Shapes/Polyhedra.h"
 #include "Shapes/Spheres.h"
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 
 using namespace evolving;
 using namespace evolving::shapes;
@@ -80,4 +82,16 @@ TEST(DistanceTarget, RefusesWhatCannotBeMeasuredTo)
   SurfaceMesh damaged = sphere(1);
   damaged.cornerVertices[3] = 1000;
   EXPECT_THROW(makeDistanceTarget(damaged), InputError);
+}
+
+TEST(DistanceTarget, HasTheEdgesOfItsTurnedTriangles)
+{
+  SurfaceMesh mesh = sphere(1);
+  for (Index face = 0; face < mesh.faceCount(); face += 3)
+  {
+    std::swap(mesh.cornerVertices[at(3 * face + 1)], mesh.cornerVertices[at(3 * face + 2)]);
+  }
+  const DistanceTarget target = makeDistanceTarget(mesh);
+  ASSERT_GT(target.orientation.turnedFaces, 0);
+  EXPECT_EQ(target.orientation.edgeOfCorner, TriangleEdges(target.mesh).takeEdgeOfCorner());
 }

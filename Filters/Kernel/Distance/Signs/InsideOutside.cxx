@@ -80,7 +80,7 @@ Vec3 samplePoint(const DistanceGrid& grid, GridIndex sample)
 std::vector<char> insideByFloodFill(const DistanceTarget& target, const DistanceGrid& grid,
   const UnsignedDistance& samples, const Execution& execution)
 {
-  const Pseudonormals normals(target.mesh);
+  const Pseudonormals normals(target.mesh, target.orientation.edgeOfCorner);
   const auto cellRadius = static_cast<float>(0.5 * grid.spacing.norm());
   const std::vector<float>& clearance = samples.lowerBound();
   FloodFillQueries queries;

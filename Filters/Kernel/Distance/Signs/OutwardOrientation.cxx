@@ -197,6 +197,7 @@ OrientationSummary orientOutwards(SurfaceMesh& mesh)
   summary.components = consistent.Components;
   summary.componentsOverlap = boxesIntersect(components);
   countEdges(mesh, edges, summary);
+  summary.edgeOfCorner = std::move(edges).takeEdgeOfCorner();
   return summary;
 }
 

@@ -30,6 +30,8 @@ struct OrientationSummary
   double openLength = 0.0;        ///< of the edges along which directed faces do not cancel
   /// These edges, from vertex to vertex as the faces run that nothing cancels, once for each face.
   std::vector<std::array<Index, 2>> openEdges;
+  /// Of every corner, see TriangleEdges: kept because the pseudonormals need it too.
+  std::vector<Index> edgeOfCorner;
 
   bool isClosed() const { return this->boundaryEdges == 0 && this->nonManifoldEdges == 0; }
   bool isOriented() const { return this->conflictingEdges == 0; }

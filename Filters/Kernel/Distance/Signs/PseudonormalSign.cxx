@@ -18,7 +18,7 @@ class Sides
 public:
   Sides(const DistanceTarget& target, const DistanceGrid& grid, const UnsignedDistance& samples)
     : Mesh(target.mesh)
-    , Normals(target.mesh)
+    , Normals(target.mesh, target.orientation.edgeOfCorner)
     , CanCarry(needsTrianglesNearSurfaceOnly(target.orientation))
     , Grid(grid)
     , Triangle(samples.triangle)

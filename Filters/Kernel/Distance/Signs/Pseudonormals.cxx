@@ -3,8 +3,9 @@
 
 #include "Distance/Signs/Pseudonormals.h"
 
-#include "Mesh/TriangleEdges.h"
 #include "Mesh/VertexNormals.h"
+
+#include <algorithm>
 
 namespace evolving
 {
@@ -26,21 +27,21 @@ Vec3 unitNormal(const SurfaceMesh& mesh, Index face)
 
 } // namespace
 
-Pseudonormals::Pseudonormals(const SurfaceMesh& mesh)
-  : OfFace(indexOf(mesh.faceCount()))
+Pseudonormals::Pseudonormals(const SurfaceMesh& mesh, const std::vector<Index>& edgeOfCorner)
+  : Mesh(mesh)
+  , EdgeOfCorner(edgeOfCorner)
+  , OfFace(indexOf(mesh.faceCount()))
   , OfVertex(angleWeightedNormals(mesh))
-  , EdgeOfCorner(indexOf(mesh.cornerCount()))
-  , VertexOfCorner(mesh.cornerVertices)
 {
-  const TriangleEdges edges(mesh);
-  this->OfEdge.assign(indexOf(edges.edgeCount()), Vec3::Zero());
+  const auto lastEdge = std::max_element(edgeOfCorner.begin(), edgeOfCorner.end());
+  this->OfEdge.assign(
+    lastEdge == edgeOfCorner.end() ? 0 : indexOf(*lastEdge) + 1, Vec3(Vec3::Zero()));
   for (Index face = 0; face < mesh.faceCount(); ++face)
   {
     this->OfFace[indexOf(face)] = unitNormal(mesh, face);
     for (Index corner = 3 * face; corner < 3 * face + 3; ++corner)
     {
-      this->EdgeOfCorner[indexOf(corner)] = edges.edgeOf(corner);
-      this->OfEdge[indexOf(edges.edgeOf(corner))] += this->OfFace[indexOf(face)];
+      this->OfEdge[indexOf(edgeOfCorner[indexOf(corner)])] += this->OfFace[indexOf(face)];
     }
   }
 }
@@ -61,7 +62,7 @@ const Vec3& Pseudonormals::at(Index face, TriangleFeature feature) const
     case TriangleFeature::Vertex2:
     {
       const int k = static_cast<int>(feature) - static_cast<int>(TriangleFeature::Vertex0);
-      return this->OfVertex[indexOf(this->VertexOfCorner[indexOf(3 * face + k)])];
+      return this->OfVertex[indexOf(this->Mesh.faceVertex(face, k))];
     }
     case TriangleFeature::Face:
       break;

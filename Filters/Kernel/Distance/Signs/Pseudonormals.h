@@ -27,8 +27,12 @@ namespace evolving
 class Pseudonormals
 {
 public:
-  /// @param mesh of triangles only
-  explicit Pseudonormals(const SurfaceMesh& mesh);
+  /**
+   * Both are read as long as the pseudonormals are used.
+   * @param mesh of triangles only
+   * @param edgeOfCorner of this mesh, see TriangleEdges
+   */
+  Pseudonormals(const SurfaceMesh& mesh, const std::vector<Index>& edgeOfCorner);
 
   /// The normal at a feature of a face; not of unit length, zero where no face has an area.
   const Vec3& at(Index face, TriangleFeature feature) const;
@@ -36,11 +40,11 @@ public:
   bool isInside(const Vec3& point, Index face, const TrianglePoint& closest) const;
 
 private:
+  const SurfaceMesh& Mesh;
+  const std::vector<Index>& EdgeOfCorner;
   std::vector<Vec3> OfFace;
   std::vector<Vec3> OfEdge;
   std::vector<Vec3> OfVertex;
-  std::vector<Index> EdgeOfCorner;
-  std::vector<Index> VertexOfCorner;
 };
 
 } // namespace evolving

@@ -34,7 +34,7 @@ UnsignedDistance measured(const SurfaceMesh& mesh, const DistanceGrid& grid, dou
 std::vector<char> sampleBySample(
   const DistanceTarget& target, const DistanceGrid& grid, const UnsignedDistance& samples)
 {
-  const Pseudonormals normals(target.mesh);
+  const Pseudonormals normals(target.mesh, target.orientation.edgeOfCorner);
   std::vector<char> inside(samples.triangle.size());
   forEachSample(grid, Execution(),
     [&](GridIndex sample, const Vec3& point)

@@ -3,6 +3,7 @@
 
 #include "Distance/Signs/Pseudonormals.h"
 
+#include "Mesh/TriangleEdges.h"
 #include "Shapes/Polyhedra.h"
 #include "Trees/AABBTree.h"
 
@@ -16,7 +17,8 @@ using namespace evolving::shapes;
 TEST(Pseudonormals, OfABoxPointAwayFromFacesEdgesAndVertices)
 {
   const SurfaceMesh mesh = box(Vec3(-1, -1, -1), Vec3(1, 1, 1));
-  const Pseudonormals normals(mesh);
+  const std::vector<Index> edges = TriangleEdges(mesh).takeEdgeOfCorner();
+  const Pseudonormals normals(mesh, edges);
   for (Index face = 0; face < mesh.faceCount(); ++face)
   {
     for (int k = 0; k < 3; ++k)
@@ -43,7 +45,8 @@ TEST(Pseudonormals, TellInsideFromOutsideAtASpike)
   mesh.addFace({ 1, 3, 2 });
   ASSERT_GT(signedVolume(mesh), 0.0);
   const AABBTree tree(mesh);
-  const Pseudonormals normals(mesh);
+  const std::vector<Index> edges = TriangleEdges(mesh).takeEdgeOfCorner();
+  const Pseudonormals normals(mesh, edges);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-3.0, 12.0);
   int inside = 0;
@@ -73,7 +76,8 @@ TEST(Pseudonormals, IgnoreDegenerateFaces)
   mesh.addFace({ 0, 1, 2 });
   mesh.addFace({ 1, 0, 4 });
   mesh.addFace({ 2, 1, 4 });
-  const Pseudonormals normals(mesh);
+  const std::vector<Index> edges = TriangleEdges(mesh).takeEdgeOfCorner();
+  const Pseudonormals normals(mesh, edges);
   EXPECT_EQ(normals.at(1, TriangleFeature::Face), Vec3(0, 0, 0));
   EXPECT_GT(normals.at(1, TriangleFeature::Edge0).z(), 0.5);
   EXPECT_GT(normals.at(1, TriangleFeature::Vertex1).z(), 0.5);
