@@ -16,8 +16,8 @@ namespace evolving
 namespace
 {
 
-/// Elements are untangled this often before moves are made alike.
-constexpr int UntanglingRounds = 8;
+/// Elements are reshaped this often before moves are made alike.
+constexpr int ReshapingRounds = 8;
 /// Moves are made alike this often before they are halved.
 constexpr int EveningRounds = 8;
 /// Moves are halved this often before they are given up.
@@ -105,17 +105,17 @@ void InversionLimiter::limit(const SurfaceMesh& mesh, const std::vector<Vec3>& b
     {
       throwTurned(turned.size(), mesh);
     }
-    if (round < UntanglingRounds)
+    if (round < ReshapingRounds)
     {
-      untangle(mesh, this->Topology, normals, turned, move.displacement);
+      reshape(mesh, this->Topology, normals, turned, move.displacement);
     }
-    else if (round < UntanglingRounds + EveningRounds)
+    else if (round < ReshapingRounds + EveningRounds)
     {
       evenOut(mesh, turned, move.displacement);
     }
     else
     {
-      shorten(mesh, turned, round < UntanglingRounds + EveningRounds + MostHalvings ? 0.5 : 0.0,
+      shorten(mesh, turned, round < ReshapingRounds + EveningRounds + MostHalvings ? 0.5 : 0.0,
         move.fraction);
     }
     place();

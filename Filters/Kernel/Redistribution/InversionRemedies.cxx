@@ -17,10 +17,10 @@ namespace evolving
 namespace
 {
 
-constexpr int UntanglingSweeps = 2;
+constexpr int ReshapingSweeps = 2;
 /// Of the longest move around: what comes from a step is undone by less than a step. Without such a
 /// bound points wander off over the folds of a surface that has collapsed.
-constexpr double LargestUntanglingPart = 0.5;
+constexpr double LargestReshapingPart = 0.5;
 
 std::set<Index> verticesOf(const SurfaceMesh& mesh, const std::vector<Index>& faces)
 {
@@ -48,12 +48,12 @@ double longestAround(const MeshTopology& topology, const std::vector<Vec3>& move
 
 } // namespace
 
-void untangle(const SurfaceMesh& mesh, const MeshTopology& topology,
+void reshape(const SurfaceMesh& mesh, const MeshTopology& topology,
   const std::vector<Vec3>& normals, const std::vector<Index>& faces, std::vector<Vec3>& moves)
 {
   SurfaceMesh moved = mesh;
   const std::set<Index> vertices = verticesOf(mesh, faces);
-  for (int sweep = 0; sweep < UntanglingSweeps; ++sweep)
+  for (int sweep = 0; sweep < ReshapingSweeps; ++sweep)
   {
     for (const Index vertex : vertices)
     {
@@ -64,7 +64,7 @@ void untangle(const SurfaceMesh& mesh, const MeshTopology& topology,
   for (const Index vertex : vertices)
   {
     const Vec3 way = moved.points[at(vertex)] - mesh.points[at(vertex)];
-    const double farthest = LargestUntanglingPart * longestAround(topology, moves, vertex);
+    const double farthest = LargestReshapingPart * longestAround(topology, moves, vertex);
     moves[at(vertex)] += way.norm() > farthest ? Vec3(farthest / way.norm() * way) : way;
   }
 }

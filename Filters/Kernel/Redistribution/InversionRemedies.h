@@ -25,7 +25,7 @@ namespace evolving
  * @param normals of the vertices
  * @param[in,out] moves one per vertex
  */
-void untangle(const SurfaceMesh& mesh, const MeshTopology& topology,
+void reshape(const SurfaceMesh& mesh, const MeshTopology& topology,
   const std::vector<Vec3>& normals, const std::vector<Index>& faces, std::vector<Vec3>& moves);
 
 /// Gives the vertices of each face the mean of their moves; of several means, the mean.

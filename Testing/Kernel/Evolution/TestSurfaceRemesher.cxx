@@ -151,7 +151,8 @@ TEST(SurfaceRemesher, ASmallComponentKeepsVertices)
   EXPECT_EQ(editing::kindOf(mesh), (editing::Kind{ 4, 0, 2 }));
   const auto small = std::count_if(
     mesh.points.begin(), mesh.points.end(), [](const Vec3& p) { return p.x() > 2.0; });
-  EXPECT_NEAR(static_cast<double>(small), 100.0, 30.0);
+  EXPECT_GT(small, 50); // edges of 0.2 alone would leave four
+  EXPECT_LT(small, 300);
   EXPECT_EQ(
     editing::kindOf(remeshed(shapes::regularTetrahedron(), Uniform)), (editing::Kind{ 2, 0, 1 }));
   EXPECT_GT(smallestAngle(remeshed(shapes::regularTetrahedron(), Uniform)), 20.0);

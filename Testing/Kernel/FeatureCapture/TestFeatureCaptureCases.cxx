@@ -8,6 +8,7 @@
 #include "FeatureCapture/CaptureShapes.h"
 #include "FeatureCapture/FeatureCoverage.h"
 #include "Mesh/SelfIntersections.h"
+#include "ParallelLoops.h"
 #include "Shapes/CreasedShapes.h"
 #include "Shapes/Spheres.h"
 #include "ThreadedExecution.h"
@@ -62,7 +63,7 @@ TEST(FeatureCaptureOf, AnythingHasTheSameBitsOnAnyThreads)
   shape.size = 0.06;
   const TargetFeatures features = featuresOf(shape);
   const EditableSurface before = landed(shape.target, shape.size);
-  ASSERT_GT(before.vertexSlots(), 4096);
+  ASSERT_GT(before.vertexSlots(), LoopGrain);
   EditableSurface serial = before;
   captureFeatures(serial, features);
   for (const int threads : { 1, 4 })

@@ -33,7 +33,7 @@ std::vector<Index> facesAt(const SurfaceMesh& mesh, Index vertex)
 
 } // namespace
 
-TEST(InversionRemedies, UntanglingGoesBackIntoTheRing)
+TEST(InversionRemedies, ReshapingGoesBackIntoTheRing)
 {
   const SurfaceMesh start = shapes::sheet(4, true);
   SurfaceMesh mesh = start;
@@ -41,13 +41,13 @@ TEST(InversionRemedies, UntanglingGoesBackIntoTheRing)
   std::vector<Vec3> moves(mesh.points.size(), Vec3::Zero());
   moves[Middle] = Vec3(0.4, 0.1, -0.2); // beyond its neighbour at 0.25
   mesh.points[Middle] += moves[Middle];
-  untangle(mesh, MeshTopology(start), normals, { facesAt(mesh, 12)[0] }, moves);
+  reshape(mesh, MeshTopology(start), normals, { facesAt(mesh, 12)[0] }, moves);
   EXPECT_NEAR(moves[Middle].z(), -0.2, 1e-15); // along the surface only
   EXPECT_LT(moves[Middle].head<2>().norm(), 0.41);
   EXPECT_GT(moves[Middle].head<2>().norm(), 0.15);
   const double correction = (moves[Middle] - Vec3(0.4, 0.1, -0.2)).norm();
   EXPECT_GT(correction, 0.01);
-  EXPECT_LE(correction, 0.5 * Vec3(0.4, 0.1, -0.2).norm() + 1e-12);
+  EXPECT_LT(correction, Vec3(0.4, 0.1, -0.2).norm()); // by less than the step
 }
 
 TEST(InversionRemedies, ASurfaceAtRestStaysAtRest)
@@ -55,7 +55,7 @@ TEST(InversionRemedies, ASurfaceAtRestStaysAtRest)
   const SurfaceMesh mesh = shapes::shakenSheet(4, true, 0.3, 5);
   const std::vector<Vec3> normals(mesh.points.size(), Vec3::UnitZ());
   std::vector<Vec3> moves(mesh.points.size(), Vec3::Zero());
-  untangle(mesh, MeshTopology(mesh), normals, facesAt(mesh, 12), moves);
+  reshape(mesh, MeshTopology(mesh), normals, facesAt(mesh, 12), moves);
   for (const Vec3& move : moves)
   {
     EXPECT_EQ(move, Vec3(Vec3::Zero()));

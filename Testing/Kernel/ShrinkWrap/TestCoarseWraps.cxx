@@ -3,6 +3,7 @@
 
 // Edges that are long beside the model: refused or said, with a length that helps.
 
+#include "Checks/Refusal.h"
 #include "Checks/SurfaceMeasures.h"
 #include "Errors.h"
 #include "Remeshing/RemeshingShapes.h"
@@ -134,14 +135,19 @@ TEST(CoarseWraps, AdviseALengthThatHelps)
   }
 }
 
-TEST(CoarseWraps, AreRefusedBeyondHalfTheDiagonal)
+TEST(CoarseWraps, AreRefusedBeyondTheLengthThatIsNamed)
 {
   const SurfaceMesh ball = icosphere(3);
   const double size = boundingBox(ball).diagonal().norm();
-  EXPECT_THROW(prepareShrinkWrap(ball, wraps::quick(0.51 * size)), InputError);
-  EXPECT_NO_THROW(prepareShrinkWrap(ball, wraps::quick(0.49 * size)));
+  const std::string sentence =
+    checks::refusalOf([&] { prepareShrinkWrap(ball, wraps::quick(size)); });
+  const std::string before = "expected at most ";
+  ASSERT_NE(sentence.find(before), std::string::npos) << sentence;
+  const double longest = std::stod(sentence.substr(sentence.find(before) + before.size()));
+  EXPECT_THROW(prepareShrinkWrap(ball, wraps::quick(1.02 * longest)), InputError);
+  EXPECT_NO_THROW(prepareShrinkWrap(ball, wraps::quick(0.98 * longest)));
   // An offset makes the result larger.
-  ShrinkWrapOptions options = wraps::quick(0.6 * size);
+  ShrinkWrapOptions options = wraps::quick(1.2 * longest);
   options.offsetDistance = 1.0;
   EXPECT_NO_THROW(prepareShrinkWrap(ball, options));
 }

@@ -111,8 +111,8 @@ TEST(AABBTreeFarAway, LeavesAreTight)
     for (const double offset : { 0.0, 1e6, 1e7, 1e9 })
     {
       const AABBTree tree(moved(shape, offset * Direction));
-      // What boxes are inflated by, twice, and their rounding.
-      const double margin = 4.0 * std::max(1e-7 * tree.bounds().sizes().maxCoeff(), 1e-15 * offset);
+      // Far less than a leaf, and some roundings of coordinates.
+      const double margin = 1e-5 * tree.bounds().sizes().maxCoeff() + 1e-14 * offset;
       std::size_t loose = 0;
       for (const AABBTree::Node& node : tree.nodes())
       {
