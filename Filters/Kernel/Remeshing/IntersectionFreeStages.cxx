@@ -23,8 +23,6 @@ constexpr int MostRuns = 5;
 /// How far around an intersection the surface is locked, in sizes, after each run.
 constexpr double LockedSizes = 2.0;
 
-using FacePairs = std::vector<std::pair<Index, Index>>;
-
 /// Where a stage has failed.
 class Faults
 {
@@ -146,13 +144,11 @@ Index runWithoutIntersections(EditableSurface& surface, const RemeshingStage& st
   {
     stage(surface);
     surface.compact();
-    const FacePairs pairs = selfIntersections(surface.triangles(), execution.phase(0.0, 0.0));
+    FacePairs pairs = selfIntersections(surface.triangles(), execution.phase(0.0, 0.0));
     made = run == 1 ? static_cast<Index>(pairs.size()) : made;
+    pairs = untangle(surface, std::move(pairs), execution);
     Faults faults(surface);
-    if (!pairs.empty() && !untangle(surface, pairs, execution))
-    {
-      faults.add(pairs);
-    }
+    faults.add(pairs);
     if (leastAngle > 0.0)
     {
       faults.addAngles(leastAngle);

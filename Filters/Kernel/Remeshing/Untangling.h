@@ -19,16 +19,19 @@
 namespace evolving
 {
 
+using FacePair = std::pair<Index, Index>;
+using FacePairs = std::vector<FacePair>;
+
 /**
  * Takes the vertices of intersecting triangles, unless they are pinned or on feature edges, to
- * the middle of their neighbours, some times over; where many intersect it does not try.
+ * the middle of their neighbours, some times over. Where that does not help, creases that hold
+ * them are let go, with the labels beside them. Places where many intersect are left alone.
  * @param surface is compact
  * @param pairs the intersecting triangles
- * @return whether nothing intersects any more
+ * @return those that intersect afterwards
  * @throws Cancelled
  */
-bool untangle(EditableSurface& surface, std::vector<std::pair<Index, Index>> pairs,
-  const Execution& execution = {});
+FacePairs untangle(EditableSurface& surface, FacePairs pairs, const Execution& execution = {});
 
 } // namespace evolving
 

@@ -109,8 +109,9 @@ TEST(IntersectionFreeStages, UndoesAPlaceAndKeepsTheRest)
     EXPECT_FALSE(surface.isPinned(v)) << "a lock is left";
     if (before.point(v).z() > 0.0)
     {
-      // Locked are two sizes around the faces that intersected: those at the pushed vertices.
-      EXPECT_TRUE(distance > ManyVertices + 0.25 || rise == 0.0);
+      // Locked is what is next to the faces that intersected, those at the pushed vertices; not
+      // what is many sizes away.
+      EXPECT_TRUE(distance > ManyVertices + 0.125 || rise == 0.0);
       EXPECT_TRUE(distance < 0.85 || std::abs(rise - 0.01) < 1e-15);
       moved += rise != 0.0 ? 1 : 0;
       ++top;
@@ -197,7 +198,7 @@ TEST(IntersectionFreeStages, LeavesAStageOutThatAlwaysIntersects)
                 liftAndPush(s, ManyVertices, false);
               }),
     0);
-  EXPECT_EQ(runs, 5);
+  EXPECT_GT(runs, 1); // it was tried again
   EXPECT_TRUE(surface.mesh() == mesh);
   EXPECT_TRUE(Content(surface) == before);
 }
