@@ -66,8 +66,10 @@ void vtkShrinkWrap::SetSampleDimensions(int x, int y, int z)
 //------------------------------------------------------------------------------
 void vtkShrinkWrap::SetSampleDimensions(const int dimensions[3])
 {
-  if (KernelBridge::AssignClamped(
-        dimensions, SmallestDimension, LargestDimension, this->SampleDimensions))
+  int usable[3];
+  std::transform(dimensions, dimensions + 3, usable,
+    [](int n) { return n > 0 ? std::max(n, SmallestDimension) : 0; });
+  if (KernelBridge::AssignClamped(usable, 0, LargestDimension, this->SampleDimensions))
   {
     this->Modified();
   }
@@ -87,6 +89,7 @@ evolving::ShrinkWrapOptions vtkShrinkWrap::Options() const
   options.start = static_cast<evolving::WrapStart>(this->Start);
   std::copy(this->SampleDimensions, this->SampleDimensions + 3, options.sampleDimensions.begin());
   options.targetEdgeLength = this->TargetEdgeLength;
+  options.targetNumberOfPoints = this->TargetNumberOfPoints;
   options.gapSize = this->GapSize;
   options.adaptToCurvature = this->AdaptToCurvature;
   options.preserveFeatures = static_cast<evolving::FeaturePreservation>(this->PreserveFeatures);
@@ -184,10 +187,9 @@ std::vector<double> vtkShrinkWrap::Times() const
 void vtkShrinkWrap::Solve(vtkPolyData* input, const evolving::Execution& execution)
 {
   ++this->NumberOfSolves;
-  const int* n = this->SampleDimensions;
-  KernelBridge::RequireMemory(evolving::GridIndex(n[0]) * n[1] * n[2],
-    evolving::wrapBytesPerSample(), "lower SampleDimensions");
   const evolving::ShrinkWrapOptions options = this->Options();
+  KernelBridge::RequireMemory(
+    evolving::samplesAtFirst(options), evolving::wrapBytesPerSample(), "lower SampleDimensions");
   const KernelBridge::UsableMesh target =
     KernelBridge::ReadUsable(input, execution.phase(0.0, 0.0));
   const evolving::ShrinkWrapProblem problem =
@@ -240,6 +242,7 @@ void vtkShrinkWrap::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Start: " << this->Start << "\n";
   os << indent << "SampleDimensions: " << n[0] << " " << n[1] << " " << n[2] << "\n";
   os << indent << "TargetEdgeLength: " << this->TargetEdgeLength << "\n";
+  os << indent << "TargetNumberOfPoints: " << this->TargetNumberOfPoints << "\n";
   os << indent << "GapSize: " << this->GapSize << "\n";
   os << indent << "AdaptToCurvature: " << this->AdaptToCurvature << "\n";
   os << indent << "PreserveFeatures: " << this->PreserveFeatures << "\n";

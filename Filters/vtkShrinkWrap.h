@@ -102,8 +102,9 @@ public:
 
   ///@{
   /**
-   * Samples of the distance along each axis. The default is 128 x 128 x 128, the range 8 to 4096
-   * an axis.
+   * Samples of the distance along each axis, 8 to 4096. The default is 0, automatic: 128, or as
+   * many as the triangles need to find holes and gaps of their size, and as the holes and handles
+   * of a clean closed input need; 16 million at most in all.
    */
   void SetSampleDimensions(int x, int y, int z);
   void SetSampleDimensions(const int dimensions[3]);
@@ -112,13 +113,26 @@ public:
 
   ///@{
   /**
-   * Edge length of the result's triangles, in length units. The default is 0: sqrt(2 A / (9000
-   * sqrt(3))) with A the input's area, about 9000 points, and more at an OffsetDistance; at least a
-   * four-hundredth of the input's diagonal. With AdaptToCurvature, the mean one. What would need
-   * more than two million points is an error.
+   * Edge length of the result's triangles, in length units. The default is 0: it follows from
+   * TargetNumberOfPoints. With AdaptToCurvature, the mean one. What would need more than two
+   * million points is an error.
    */
   vtkSetClampMacro(TargetEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetEdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * About how many points the result has, where TargetEdgeLength is 0. The range is 0 to 1,000,000.
+   * The default is 0, automatic: 9000, and more, up to 60,000, beside sharp edges. Parts of the
+   * input that cannot be seen from outside do not count; at an OffsetDistance there are more, as
+   * there is more area. Beside the sharp edges that PreserveFeatures keeps, triangles become so
+   * small that they follow their bends, round holes say, in steps of 23 degrees, and that some fit
+   * between two of them, down to an eighth of the edges elsewhere; but not with AdaptToCurvature,
+   * nor where the input has sheets, or parts that cross.
+   */
+  vtkSetClampMacro(TargetNumberOfPoints, int, 0, 1000000);
+  vtkGetMacro(TargetNumberOfPoints, int);
   ///@}
 
   ///@{
@@ -211,8 +225,9 @@ private:
 
   bool OutputSteps = false;
   int Start = ISOSURFACE;
-  int SampleDimensions[3] = { 128, 128, 128 };
+  int SampleDimensions[3] = { 0, 0, 0 };
   double TargetEdgeLength = 0.0;
+  int TargetNumberOfPoints = 0;
   double GapSize = 0.0;
   bool AdaptToCurvature = false;
   int PreserveFeatures = AUTOMATIC;

@@ -62,6 +62,7 @@ OTHER_VALUES = {
     "vtkShrinkWrap": {
         "OutputSteps": (True, {}), "Start": (es.vtkShrinkWrap.ICOSPHERE, {}),
         "SampleDimensions": ((32, 32, 32), {}), "TargetEdgeLength": (0.4, {}),
+        "TargetNumberOfPoints": (300, {"TargetEdgeLength": 0.0}),
         "GapSize": (1.0, {}), "AdaptToCurvature": (True, {}),
         "PreserveFeatures": (es.vtkShrinkWrap.ON, {"FeatureAngle": 10.0}),
         "FeatureAngle": (10.0, {"PreserveFeatures": es.vtkShrinkWrap.ON}), "NumberOfSteps": (5, {}),

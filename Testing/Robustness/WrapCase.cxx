@@ -92,8 +92,8 @@ private:
   /// The grid between points and around them.
   bool seesPoints(double size) const
   {
-    constexpr int Fewest = 16; // six are around the points
-    const int* samples = this->Filter->GetSampleDimensions();
+    constexpr int Fewest = 16;                                // six are around the points
+    const int* samples = this->Filter->GetSampleDimensions(); // 0 is automatic
     return *std::min_element(samples, samples + 3) >= Fewest && this->Filter->GetGapSize() <= size;
   }
 
@@ -125,6 +125,13 @@ private:
     this->Filter->SetPreserveFeatures(random.integer(0, 2));
     this->Filter->SetOutputSteps(random.chance(0.1));
     this->Filter->SetNumberOfSteps(random.chance(0.7) ? 0 : random.integer(1, 20));
+    if (!isDefault && random.chance(0.1))
+    {
+      this->Filter->SetTargetEdgeLength(0.0);
+      this->Filter->SetTargetNumberOfPoints(random.integer(100, 3000));
+      this->Filter->SetSampleDimensions(0, 0, 0);
+      this->IsCoarse = true;
+    }
   }
 
   vtkNew<vtkShrinkWrap> Filter;

@@ -4,9 +4,8 @@
 #include "Features/CloseCurves.h"
 
 #include "Features/CarriableFeatures.h"
+#include "Features/CurveProximity.h"
 #include "Features/FeatureCurves.h"
-#include "Features/PolylineTree.h"
-#include "Features/SurfacePatches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,18 +18,7 @@ namespace evolving
 namespace
 {
 
-constexpr double NearCorner = 3.0; ///< where curves that meet may be close, over the distance
 constexpr double SampleStep = 0.5; ///< between samples of a curve, over the distance
-
-/// Does the segment of an edge come within a distance of a point?
-bool isNear(const TargetTriangles& target, Index edge, const Vec3& point, double distance)
-{
-  const auto [a, b] = target.edgeVertices(edge);
-  const Vec3 along = target.point(b) - target.point(a);
-  const double t = along.dot(point - target.point(a)) / along.squaredNorm();
-  const Vec3 closest = target.point(a) + std::clamp(t, 0.0, 1.0) * along;
-  return (point - closest).squaredNorm() < distance * distance;
-}
 
 class CloseCurves
 {
@@ -39,9 +27,7 @@ public:
     : Target(target)
     , Sharp(sharp)
     , Distance(distance)
-    , Network(target, sharp)
-    , Patches(surfacePatches(target, sharp))
-    , Tree(target, sharp.list())
+    , Proximity(target, sharp)
   {
   }
 
@@ -65,13 +51,13 @@ public:
 private:
   const FeatureCurve& curve(Index c) const
   {
-    return this->Network.curves()[static_cast<std::size_t>(c)];
+    return this->Proximity.network().curves()[static_cast<std::size_t>(c)];
   }
 
   /// By folds in steps of SimilarFold, then by length, the longest last.
   std::vector<Index> weakestFirst() const
   {
-    std::vector<Index> order(this->Network.curves().size());
+    std::vector<Index> order(this->Proximity.network().curves().size());
     std::iota(order.begin(), order.end(), 0);
     const auto strength = [this](Index c) { return std::round(this->curve(c).fold / SimilarFold); };
     std::stable_sort(order.begin(), order.end(),
@@ -95,61 +81,17 @@ private:
       for (int k = 0; k < samples; ++k)
       {
         const Vec3 point = this->Target.point(a) + (k + 0.5) / samples * along;
-        close += this->hasOtherNear(c, edge, point) ? along.norm() / samples : 0.0;
+        close +=
+          this->Proximity.hasOtherNear(edge, point, this->Distance) ? along.norm() / samples : 0.0;
       }
     }
     return close > 0.5 * this->curve(c).length;
   }
 
-  bool hasOtherNear(Index c, Index edge, const Vec3& point) const
-  {
-    const Vec3 reach = Vec3::Constant(this->Distance);
-    const std::vector<Index> near = this->Tree.edgesIn(Box(point - reach, point + reach));
-    return std::any_of(near.begin(), near.end(),
-      [&](Index other)
-      {
-        const Index otherCurve = this->Network.curveOf(other);
-        return otherCurve != c && this->Sharp.isSharp(other) &&
-          isNear(this->Target, other, point, this->Distance) &&
-          !this->isNearSharedCorner(c, otherCurve, point) && this->sharePatch(edge, other);
-      });
-  }
-
-  bool isNearSharedCorner(Index c, Index d, const Vec3& point) const
-  {
-    const FeatureCurve& other = this->curve(d);
-    const double reach = NearCorner * this->Distance;
-    for (const Index end : { this->curve(c).vertices.front(), this->curve(c).vertices.back() })
-    {
-      const bool isShared = other.vertices.front() == end || other.vertices.back() == end;
-      if (isShared && (point - this->Target.point(end)).squaredNorm() < reach * reach)
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  bool sharePatch(Index edgeA, Index edgeB) const
-  {
-    const TriangleEdges& edges = this->Target.edges();
-    return std::any_of(edges.begin(edgeA), edges.end(edgeA),
-      [&](Index a)
-      {
-        return std::any_of(edges.begin(edgeB), edges.end(edgeB),
-          [&](Index b) {
-            return this->Patches[TargetTriangles::faceOf(a)] ==
-              this->Patches[TargetTriangles::faceOf(b)];
-          });
-      });
-  }
-
   const TargetTriangles& Target;
   SharpEdges& Sharp;
   double Distance;
-  FeatureCurves Network;
-  TriangleLabels Patches;
-  PolylineTree Tree;
+  CurveProximity Proximity;
 };
 
 } // namespace

@@ -6,7 +6,6 @@
 #include "Errors.h"
 #include "Features/CarriableFeatures.h"
 #include "Features/DartCharts.h"
-#include "Features/DistinctCreases.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,59 +16,6 @@ namespace evolving
 
 namespace
 {
-
-double lengthOf(const TargetTriangles& target, const std::vector<Index>& edges)
-{
-  double length = 0.0;
-  for (const Index edge : edges)
-  {
-    length += target.edgeLength(edge);
-  }
-  return length;
-}
-
-std::vector<char> excludedTriangles(const TargetTriangles& target, const FeatureOptions& options)
-{
-  const SurfaceMesh& mesh = target.mesh();
-  std::vector<char> isExcluded(at(mesh.faceCount()), 0);
-  for (Index f = 0; options.isExcluded && f < mesh.faceCount(); ++f)
-  {
-    const Vec3 middle = (mesh.facePoint(f, 0) + mesh.facePoint(f, 1) + mesh.facePoint(f, 2)) / 3.0;
-    isExcluded[at(f)] = options.isExcluded(middle);
-  }
-  return isExcluded;
-}
-
-/// Of some edges those that are not sharp any more.
-OmittedCreases omitted(
-  const TargetTriangles& target, const std::vector<Index>& edges, const SharpEdges& sharp)
-{
-  OmittedCreases creases;
-  for (const Index edge : edges)
-  {
-    if (!sharp.isSharp(edge))
-    {
-      creases.length += target.edgeLength(edge);
-      const auto [a, b] = target.edgeVertices(edge);
-      creases.place = 0.5 * (target.point(a) + target.point(b));
-    }
-  }
-  return creases;
-}
-
-/// Leaves out the sharp edges of triangles that are excluded.
-void exclude(const TargetTriangles& target, const std::vector<char>& isExcluded, SharpEdges& sharp)
-{
-  for (const Index edge : sharp.list())
-  {
-    const TriangleEdges& edges = target.edges();
-    if (std::any_of(edges.begin(edge), edges.end(edge),
-          [&](Index corner) { return isExcluded[at(TargetTriangles::faceOf(corner))] != 0; }))
-    {
-      sharp.leaveOut(edge);
-    }
-  }
-}
 
 std::vector<char> excludedPatches(
   const TriangleLabels& patches, const std::vector<char>& isExcludedTriangle)
@@ -87,17 +33,10 @@ SharpEdges carriableEdges(const TargetTriangles& target, const FeatureOptions& o
   const std::vector<char>& isExcluded, const Execution& execution, OmittedCreases& excluded,
   OmittedCreases& leftOut)
 {
-  SharpEdges sharp(target, options.angle, options.withBoundary, execution);
-  if (options.onlyDistinct)
-  {
-    keepDistinctCreases(target, sharp);
-  }
-  const std::vector<Index> all = sharp.list();
-  exclude(target, isExcluded, sharp);
-  excluded = omitted(target, all, sharp);
+  SharpEdges sharp = capturableCreases(target, options, isExcluded, excluded, execution);
   const std::vector<Index> wanted = sharp.list();
   keepCarriable(target, sharp, options.edgeLength, execution);
-  leftOut = omitted(target, wanted, sharp);
+  leftOut = omittedOf(target, wanted, sharp);
   return sharp;
 }
 

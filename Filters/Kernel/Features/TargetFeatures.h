@@ -11,6 +11,7 @@
 #define EVOLVING_TARGET_FEATURES_H
 
 #include "Execution.h"
+#include "Features/CapturableCreases.h"
 #include "Features/FeatureCurves.h"
 #include "Features/LabelBorders.h"
 #include "Features/PolylineTree.h"
@@ -20,35 +21,11 @@
 #include "Trees/AABBTree.h"
 #include "Types.h"
 
-#include <functional>
 #include <limits>
 #include <vector>
 
 namespace evolving
 {
-
-struct FeatureOptions
-{
-  /// An edge is sharp where normals differ by more, in degrees, 0 to 180.
-  double angle = 45.0;
-  /// Of the elements that are to carry the creases, in the target's unit; creases that they cannot
-  /// carry are left out, see keepCarriable(). 0 keeps all.
-  double edgeLength = 0.0;
-  /// Are parts without creases, but with folds, left alone? See keepDistinctCreases().
-  bool onlyDistinct = false;
-  /// Do edges of one face count as sharp? They have one label.
-  bool withBoundary = false;
-  /// Where the surface is not wanted with its creases; by the middles of its triangles. May be
-  /// null.
-  std::function<bool(const Vec3& point)> isExcluded = nullptr;
-};
-
-/// Some creases, of which none is kept.
-struct OmittedCreases
-{
-  double length = 0.0;
-  Vec3 place = Vec3::Zero(); ///< on one
-};
 
 /// A point of the surface.
 struct LabelledPoint

@@ -5,12 +5,14 @@
 
 #include "Remeshing/EdgeFlipping.h"
 #include "Remeshing/ElementRepair.h"
+#include "Remeshing/FaceShape.h"
 #include "Remeshing/PeakFit.h"
 #include "Remeshing/Remeshing.h"
 #include "Remeshing/SizingField.h"
 #include "Remeshing/StarOptimization.h"
 #include "Remeshing/SurfaceFit.h"
 #include "Remeshing/TargetSamples.h"
+#include "Trees/AABBTree.h"
 
 #include <limits>
 
@@ -21,6 +23,10 @@ void FinishSteps::remesh(EditableSurface& surface, int passes) const
 {
   for (int pass = 0; pass < passes; ++pass)
   {
+    if (this->Target.besideCreases) // and vertices have moved
+    {
+      setSizesAround(surface, this->Target);
+    }
     remeshOnce(surface, this->Reference, {}, this->Run);
   }
 }
@@ -73,6 +79,40 @@ void FinishSteps::fitUpright(EditableSurface& surface) const
 void FinishSteps::repair(EditableSurface& surface) const
 {
   repairElements(surface, this->Reference, this->Tuning.soundAngle, this->Run);
+}
+
+bool FinishSteps::hasSlivers(const EditableSurface& surface) const
+{
+  return this->slivers(surface).faceCount() > 0;
+}
+
+SurfaceMesh FinishSteps::slivers(const EditableSurface& surface) const
+{
+  SurfaceMesh faces;
+  faces.points = surface.triangles().points();
+  for (Index f = 0; f < surface.faceSlots(); ++f)
+  {
+    if (surface.hasFace(f) && smallestAngle(surface, f) < this->Tuning.sliverAngle)
+    {
+      faces.addFace({ surface.from(3 * f), surface.from(3 * f + 1), surface.from(3 * f + 2) });
+    }
+  }
+  return faces;
+}
+
+void FinishSteps::mend(EditableSurface& surface) const
+{
+  const AABBTree tree(this->slivers(surface));
+  for (Index v = 0; v < surface.vertexSlots(); ++v)
+  {
+    const double reach = this->Tuning.mendedSizes * (surface.hasVertex(v) ? surface.size(v) : 0.0);
+    if (surface.hasVertex(v) && tree.closest(surface.point(v), reach * reach).triangle == NoIndex)
+    {
+      surface.setLocked(v);
+    }
+  }
+  this->remesh(surface, this->Tuning.mendingPasses);
+  this->polish(surface);
 }
 
 void FinishSteps::reachPeaks(

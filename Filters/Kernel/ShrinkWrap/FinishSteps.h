@@ -13,6 +13,7 @@
 #include "Mesh/SurfaceMesh.h"
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/ReferenceSurface.h"
+#include "ShrinkWrap/WrapTarget.h"
 #include "ShrinkWrap/WrapTuning.h"
 
 namespace evolving
@@ -21,12 +22,13 @@ namespace evolving
 class FinishSteps
 {
 public:
-  /// @param size of elements, if they were of one; the others are kept, too
-  FinishSteps(const ReferenceSurface& reference, const FinishTuning& tuning, double size,
-    const Execution& execution)
+  /// All are kept.
+  FinishSteps(
+    const ReferenceSurface& reference, const WrapTarget& target, const Execution& execution)
     : Reference(reference)
-    , Tuning(tuning)
-    , Size(size)
+    , Target(target)
+    , Tuning(target.tuning.finish)
+    , Size(target.elementSize())
     , Run(execution)
   {
   }
@@ -47,6 +49,10 @@ public:
   void fitUpright(EditableSurface& surface) const;
   /// Bad elements are replaced by others.
   void repair(EditableSurface& surface) const;
+  /// Are there triangles with angles that no result should have?
+  bool hasSlivers(const EditableSurface& surface) const;
+  /// Remeshes around them, and locks all else: they are left where a stage had to be undone.
+  void mend(EditableSurface& surface) const;
   /**
    * Faces reach for peaks and valleys that a fit gives up; only moves vertices.
    * @param target triangles
@@ -55,9 +61,12 @@ public:
   void reachPeaks(EditableSurface& surface, const SurfaceMesh& target, double leastAngle) const;
 
 private:
+  SurfaceMesh slivers(const EditableSurface& surface) const;
+
   const ReferenceSurface& Reference;
+  const WrapTarget& Target;
   const FinishTuning& Tuning;
-  double Size;
+  double Size; ///< of elements that nothing asks to be smaller
   const Execution& Run;
 };
 

@@ -15,10 +15,13 @@
 #include "ShrinkWrap/OuterRegion.h"
 #include "ShrinkWrap/Shortcomings.h"
 #include "ShrinkWrap/WrapRemesher.h"
+#include "ShrinkWrap/WrapResolution.h"
 #include "ShrinkWrap/WrapTarget.h"
+#include "ShrinkWrap/WrapView.h"
 #include "StartSurface/BoundingIcosphere.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -51,11 +54,54 @@ std::shared_ptr<const ScalarImage> levelField(const WrapTarget& target, TargetFi
   return std::make_shared<const ScalarImage>(target.grid, std::move(fields.distance));
 }
 
+/// Are the holes and handles of the target those of the start?
+bool showsGenus(const WrapView& view, std::optional<Index> wanted)
+{
+  if (!wanted)
+  {
+    return true;
+  }
+  const TopologySummary topology = summarizeTopology(view.region().boundary());
+  return topology.components == 1 && topology.genus() == *wanted;
+}
+
+/// Looks again and more closely at what the first look has shown to be too coarse.
+std::unique_ptr<WrapView> viewAsNeeded(const SurfaceMesh& mesh, const ShrinkWrapOptions& options,
+  const WrapTuning& tuning, const Execution& execution, std::optional<Index>& wantedGenus)
+{
+  std::unique_ptr<WrapView> view;
+  WrapResolution tried;
+  const auto look = [&](const WrapResolution& resolution, const Execution& now)
+  {
+    tried = resolution;
+    view.reset(); // before the grids of the next one need its memory
+    view = std::make_unique<WrapView>(mesh, options, resolution, tuning, now);
+  };
+  look(firstResolution(options), execution.phase(0.0, 0.3));
+  const bool isPointSet = mesh.faceCount() == 0;
+  if (!isPointSet)
+  {
+    wantedGenus = genusToKeep(view->target()->surface, options, execution.phase(0.3, 0.3));
+  }
+  std::optional<WrapResolution> next = isPointSet
+    ? neededForPoints(options, *view)
+    : neededResolution(options, *view, execution.phase(0.3, 0.3));
+  if (next)
+  {
+    look(*next, execution.phase(0.3, 0.6));
+  }
+  while (!showsGenus(*view, wantedGenus) && (next = finerResolution(options, tried, *view)))
+  {
+    look(*next, execution.phase(0.6, 0.6));
+  }
+  return view;
+}
+
 /// An isosurface has about the area that the result will have.
 void requireFewAtTarget(const SurfaceMesh& start, const WrapTarget& target)
 {
   EditableSurface surface(start);
-  setUniformSizes(surface, target.elementSize());
+  setSizesAround(surface, target);
   requireFewVertices(surface, target.edgeLength);
 }
 
@@ -89,7 +135,7 @@ SurfaceMesh sphereStart(const WrapTarget& target)
 FlowOptions flowFor(const WrapTarget& target, const ShrinkWrapOptions& options)
 {
   const FlowTuning& tuning = target.tuning.flow;
-  const double edge = target.edgeLength;
+  const double edge = target.shortestEdge();
   FlowOptions flow;
   flow.relativeUnits = false;
   flow.unsignedField = true;
@@ -123,19 +169,23 @@ int wrapBytesPerSample()
   return Distance + Inside + peakBytesPerSample({}) + Boundary;
 }
 
+GridIndex samplesAtFirst(const ShrinkWrapOptions& options)
+{
+  const std::array<int, 3> samples = firstResolution(options).samples;
+  return GridIndex(samples[0]) * samples[1] * samples[2];
+}
+
 ShrinkWrapProblem prepareShrinkWrap(const SurfaceMesh& mesh, const ShrinkWrapOptions& options,
   const Execution& execution, const WrapTuning& tuning)
 {
-  DescribedTarget described = describeTarget(mesh, options, execution.phase(0.0, 0.4), tuning);
-  const auto target = std::make_shared<const WrapTarget>(std::move(described.target));
-  TargetFields& fields = described.fields;
-  const OuterRegion region(
-    target->grid, std::move(fields.start), target->startLevel, execution.phase(0.4, 0.5));
   ShrinkWrapProblem problem;
-  const auto reference =
-    std::make_shared<const WrapReference>(*target, region, execution.phase(0.5, 0.6));
+  const std::unique_ptr<WrapView> view =
+    viewAsNeeded(mesh, options, tuning, execution.phase(0.0, 0.6), problem.wantedGenus);
+  const std::shared_ptr<const WrapTarget> target = view->target();
+  const std::shared_ptr<const WrapReference> reference = view->reference();
+  const OuterRegion& region = view->region();
   const auto remesher = std::make_shared<WrapRemesher>(target, reference, options);
-  problem.field = levelField(*target, std::move(fields), region, *reference);
+  problem.field = levelField(*target, std::move(view->fields()), region, *reference);
   const SurfaceMesh start = options.start == WrapStart::Icosphere
     ? sphereStart(*target)
     : region.boundary(execution.phase(0.7, 0.8));
@@ -156,10 +206,6 @@ ShrinkWrapProblem prepareShrinkWrap(const SurfaceMesh& mesh, const ShrinkWrapOpt
   problem.flow = flowFor(*target, options);
   problem.edgeLength = target->edgeLength;
   problem.modelSize = target->modelSize();
-  if (mesh.faceCount() > 0)
-  {
-    problem.wantedGenus = genusToKeep(target->surface, options, execution.phase(1.0, 1.0));
-  }
   return problem;
 }
 

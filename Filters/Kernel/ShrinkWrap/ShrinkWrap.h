@@ -49,6 +49,10 @@ struct ShrinkWrapProblem
  */
 int wrapBytesPerSample();
 
+/// The samples of the first look at a target; where their number is automatic, a second look may
+/// take more, 16 million at most.
+GridIndex samplesAtFirst(const ShrinkWrapOptions& options);
+
 /**
  * @param mesh the target: triangles in any state, or points only; not empty
  * @throws InputError for a target without extent or area, coordinates that are not finite, options

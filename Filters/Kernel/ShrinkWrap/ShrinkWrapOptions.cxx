@@ -47,6 +47,7 @@ void checkOptions(const ShrinkWrapOptions& options)
   constexpr char Automatic[] = "0 means an automatic one";
   checkRangeOrZero(
     "TargetEdgeLength", o.targetEdgeLength, SmallestLength, LargestLength, Automatic);
+  checkRange("TargetNumberOfPoints", o.targetNumberOfPoints, 0.0, AnyNumber, Automatic);
   checkRange("GapSize", o.gapSize, 0.0, LargestLength, Automatic);
   checkRange("OffsetDistance", o.offsetDistance, 0.0, LargestLength, "0 is on the input");
   checkRange("FeatureAngle", o.featureAngle, 0.0, 180.0, "set 45 degrees when in doubt");
@@ -66,10 +67,14 @@ double timeStepOf(const ShrinkWrapOptions& options)
   return (fromSphere ? IcosphereTime : IsosurfaceTime) / stepsOf(options);
 }
 
+double coveringEdgeLength(double area, double vertexCount)
+{
+  return std::sqrt(2.0 * area / (vertexCount * std::sqrt(3.0)));
+}
+
 double defaultEdgeLength(double area, double length)
 {
-  const double covering = std::sqrt(2.0 * area / (DefaultVertexCount * std::sqrt(3.0)));
-  return std::max(covering, length / DefaultMostAlong);
+  return std::max(coveringEdgeLength(area, DefaultVertexCount), length / DefaultMostAlong);
 }
 
 } // namespace evolving

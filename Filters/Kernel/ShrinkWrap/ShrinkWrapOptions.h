@@ -33,8 +33,9 @@ enum class FeaturePreservation
 struct ShrinkWrapOptions
 {
   WrapStart start = WrapStart::Isosurface;
-  std::array<int, 3> sampleDimensions = { 128, 128, 128 };
-  double targetEdgeLength = 0.0; ///< 0 = defaultEdgeLength() of the target
+  std::array<int, 3> sampleDimensions = { 0, 0, 0 }; ///< 0 = automatic, see WrapResolution.h
+  double targetEdgeLength = 0.0;                     ///< 0 = from the number of points
+  int targetNumberOfPoints = 0; ///< 0 = automatic; of no use with a target edge length
   /// Diameter of the gaps to close; 0 = those that the start surface cannot enter, an edge length
   /// or 1.6 cells wide, and wider cracks where without them nearly nothing would be inside.
   double gapSize = 0.0;
@@ -48,10 +49,10 @@ struct ShrinkWrapOptions
 /// All of them: a new one does not compile before it is listed here.
 inline auto membersOf(const ShrinkWrapOptions& options)
 {
-  const auto& [start, sampleDimensions, targetEdgeLength, gapSize, adaptToCurvature,
-    preserveFeatures, featureAngle, numberOfSteps, offsetDistance] = options;
-  return std::tie(start, sampleDimensions, targetEdgeLength, gapSize, adaptToCurvature,
-    preserveFeatures, featureAngle, numberOfSteps, offsetDistance);
+  const auto& [start, sampleDimensions, targetEdgeLength, targetNumberOfPoints, gapSize,
+    adaptToCurvature, preserveFeatures, featureAngle, numberOfSteps, offsetDistance] = options;
+  return std::tie(start, sampleDimensions, targetEdgeLength, targetNumberOfPoints, gapSize,
+    adaptToCurvature, preserveFeatures, featureAngle, numberOfSteps, offsetDistance);
 }
 
 bool operator==(const ShrinkWrapOptions& a, const ShrinkWrapOptions& b);
@@ -68,10 +69,11 @@ int stepsOf(const ShrinkWrapOptions& options);
 /// The time step of the flow; like the number of steps it follows from options alone.
 double timeStepOf(const ShrinkWrapOptions& options);
 
-/**
- * sqrt(2 A / (9000 sqrt(3))): equilateral triangles of this edge cover A with 9000 vertices. Of a
- * wire or a needle, which has next to no area, a four-hundredth of its length.
- */
+/// sqrt(2 A / (N sqrt(3))): equilateral triangles of this edge cover A with N vertices.
+double coveringEdgeLength(double area, double vertexCount);
+
+/// Covers the area with 9000 vertices. Of a wire or a needle, which has next to no area, a
+/// four-hundredth of its length.
 double defaultEdgeLength(double area, double length);
 
 } // namespace evolving

@@ -47,6 +47,12 @@ DistanceGrid tightGrid(const Box& box, const std::array<int, 3>& dimensions, dou
   return grid;
 }
 
+int samplesForCells(const Box& box, double room, double cell)
+{
+  const double longest = box.sizes().maxCoeff() + 2.0 * room;
+  return static_cast<int>(std::ceil(longest / cell + 1.0 + 2.0 * CellsOfRoom));
+}
+
 double roomForCells(const Box& box, const std::array<int, 3>& dimensions, double cell)
 {
   double room = std::numeric_limits<double>::infinity();

@@ -27,6 +27,9 @@ DistanceGrid tightGrid(const Box& box, const std::array<int, 3>& dimensions, dou
 /// The room for which tightGrid() has cells of a size; negative where its cells are larger anyway.
 double roomForCells(const Box& box, const std::array<int, 3>& dimensions, double cell);
 
+/// The samples along an axis for which tightGrid() has cells no larger than a size, on every axis.
+int samplesForCells(const Box& box, double room, double cell);
+
 } // namespace evolving
 
 #endif

@@ -11,6 +11,7 @@
 #include "Remeshing/Relaxation.h"
 #include "Remeshing/SizingField.h"
 #include "ShrinkWrap/FinishSteps.h"
+#include "ShrinkWrap/WrapFeatures.h"
 
 #include <functional>
 #include <optional>
@@ -25,12 +26,16 @@ namespace
 /// them, in sizes, as much as an element may cut off a bend.
 constexpr double CoverageSpacing = 0.25;
 constexpr double CoverageTolerance = 0.1;
+/// What is left of the first one may be next to where it had to be undone again.
+constexpr int MostMendings = 2;
+
 class Finish
 {
 public:
   Finish(const SurfaceMesh& surface, const WrapTarget& target, const WrapReference& reference,
     const ShrinkWrapOptions& options, const Execution& execution)
     : Surface(surface)
+    , Target(target)
     , Reference(reference)
     , Options(options)
     , Tuning(target.tuning.finish)
@@ -39,19 +44,11 @@ public:
     , IsOnTarget(reference.isOnTarget())
     , Run(execution)
   {
-    setUniformSizes(this->Surface, this->Size);
+    setSizesAround(this->Surface, target);
     if (options.preserveFeatures != FeaturePreservation::Off)
     {
-      FeatureOptions features;
-      features.angle = options.featureAngle;
-      features.edgeLength = target.edgeLength;
-      features.onlyDistinct = options.preserveFeatures == FeaturePreservation::Automatic;
-      if (reference.hasSheets()) // with walls around them, which have no creases
-      {
-        features.isExcluded = [&reference](const Vec3& p) { return reference.isAtSheet(p); };
-      }
-      this->Features.emplace(
-        findFeatures(reference.visible(), features, execution.phase(0.0, 0.0)));
+      this->Features.emplace(findFeatures(reference.visible(),
+        wantedFeatures(options, reference, target.shortestEdge()), execution.phase(0.0, 0.0)));
     }
   }
 
@@ -75,6 +72,11 @@ public:
     }
     this->stage(0.75, 0.85, &Finish::fitUpright, moveWithoutIntersections);
     this->stage(0.85, 0.9, &Finish::repair);
+    for (int round = 0; round < MostMendings && this->hasSlivers(); ++round)
+    {
+      this->stage(0.9, 0.9, &Finish::mend);
+      this->stage(0.9, 0.9, &Finish::repair);
+    }
     if (this->IsOnTarget)
     {
       this->stage(0.9, 0.95, &Finish::reachPeaks, moveWithoutIntersections);
@@ -97,8 +99,8 @@ private:
   void captureOrLeave()
   {
     const EditableSurface before = this->Surface;
-    this->OnFeatures.emplace(this->Reference, *this->Features, this->Tuning.reachSizes * this->Size,
-      this->Run.phase(0.2, 0.2));
+    this->OnFeatures.emplace(this->Reference, *this->Features,
+      this->Tuning.reachSizes * this->Target.shortestElement(), this->Run.phase(0.2, 0.2));
     this->stage(0.2, 0.3, &Finish::capture);
     const double volume = signedVolume(before.mesh());
     if (signedVolume(this->Surface.mesh()) < this->Tuning.leastVolumeAfterCapture * volume)
@@ -141,10 +143,7 @@ private:
                             : this->Reference;
   }
 
-  FinishSteps steps(const Execution& now) const
-  {
-    return { this->reference(), this->Tuning, this->Size, now };
-  }
+  FinishSteps steps(const Execution& now) const { return { this->reference(), this->Target, now }; }
 
   FeatureCoverage coverage() const
   {
@@ -219,6 +218,13 @@ private:
     this->steps(now).repair(surface);
   }
 
+  bool hasSlivers() const { return this->steps(this->Run).hasSlivers(this->Surface); }
+
+  void mend(EditableSurface& surface, const Execution& now) const
+  {
+    this->steps(now).mend(surface);
+  }
+
   void reachPeaks(EditableSurface& surface, const Execution& now) const
   {
     const double leastAngle = this->Options.adaptToCurvature ? this->Tuning.leastAdaptedAngle
@@ -239,6 +245,7 @@ private:
   }
 
   EditableSurface Surface;
+  const WrapTarget& Target;
   const WrapReference& Reference;
   std::optional<TargetFeatures> Features; ///< where creases are to be preserved
   std::optional<FeatureReference> OnFeatures;

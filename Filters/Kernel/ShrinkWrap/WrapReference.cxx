@@ -38,10 +38,11 @@ struct PartOfTarget
 };
 
 /// The triangles that the ball comes near to; all, when it comes near to none.
-PartOfTarget withoutHidden(const SurfaceMesh& surface, const OuterRegion& region, double wall)
+PartOfTarget withoutHidden(
+  const SurfaceMesh& surface, const OuterRegion& region, double thinnestWall)
 {
   constexpr double Thin = 1.2; // in halves of walls: closer layers would fold through each other
-  const std::vector<char> hasInside = facesOfClosedParts(surface, Thin * wall);
+  const std::vector<char> hasInside = facesOfClosedParts(surface, Thin * thinnestWall);
   PartOfTarget kept;
   kept.mesh.points = surface.points;
   for (Index f = 0; f < surface.faceCount(); ++f)
@@ -70,7 +71,7 @@ WrapReference::WrapReference(
   , Wall(target.wall)
   , Reach(FarEdges * target.edgeLength)
 {
-  PartOfTarget reached = withoutHidden(target.surface, region, target.wall);
+  PartOfTarget reached = withoutHidden(target.surface, region, target.thinnestWall());
   this->Visible = std::move(reached.mesh);
   this->Tree = AABBTree(this->Visible, execution.phase(0.0, 0.3));
   this->Levels = wrapLevels(this->Visible, this->Tree, reached.hasInside, region, target.offset,
@@ -110,6 +111,7 @@ void WrapReference::findSheets(const Execution& execution)
     }
   }
   this->HasSheets = !this->SheetNumbers.empty();
+  this->SheetArea = surfaceArea(sheets);
   this->Sheets = std::make_unique<AABBTree>(sheets, execution);
 }
 

@@ -54,6 +54,8 @@ public:
   {
     return this->HasSheets ? std::max(this->Offset, this->Wall) : this->Offset;
   }
+  /// The area of the sheets that become walls, one side of it.
+  double sheetArea() const { return this->SheetArea; }
   /// The part of the target that can be reached from outside.
   const SurfaceMesh& visible() const { return this->Visible; }
   /// About what it holds in memory.
@@ -73,6 +75,7 @@ private:
   double Wall;
   double Reach;
   bool HasSheets = false;
+  double SheetArea = 0.0;
   std::unique_ptr<AABBTree> Sheets;
   std::vector<Index> SheetNumbers; ///< in Tree
 };

@@ -26,13 +26,15 @@ namespace
 {
 
 /// Far from the target elements grow with the distance.
-void setSizesByDistance(EditableSurface& surface, double size, const std::vector<double>& distance,
-  const FlowTuning& tuning)
+void setSizesByDistance(
+  EditableSurface& surface, const WrapTarget& target, const std::vector<double>& distance)
 {
+  const FlowTuning& tuning = target.tuning.flow;
   for (Index v = 0; v < surface.vertexSlots(); ++v)
   {
+    const double size = target.elementSizeAt(surface.point(v));
     const double grown = size + tuning.farGrowth * (std::abs(distance[at(v)]) - size);
-    surface.setSize(v, std::clamp(grown, size, tuning.farLargestSize * size));
+    surface.setSize(v, std::clamp(grown, size, tuning.farLargestSize * target.elementSize()));
   }
   gradeSizes(surface, tuning.farGradation);
 }
@@ -69,7 +71,7 @@ SurfaceMesh WrapRemesher::withRightSizes(
   const SurfaceMesh& surface, const std::vector<double>& distance, const Execution& execution) const
 {
   EditableSurface editable(surface);
-  setSizesByDistance(editable, this->Target->elementSize(), distance, this->Target->tuning.flow);
+  setSizesByDistance(editable, *this->Target, distance);
   requireFewVertices(editable, this->Target->edgeLength);
   const RemeshingOptions options;
   runWithoutIntersections(

@@ -7,6 +7,7 @@
 #include "Errors.h"
 #include "Mesh/SeamWelding.h"
 #include "Mesh/TopologySummary.h"
+#include "Remeshing/SizingField.h"
 #include "ShrinkWrap/PointSurface.h"
 #include "ShrinkWrap/TightGrid.h"
 #include "StartSurface/GapClosing.h"
@@ -27,6 +28,10 @@ namespace
 
 /// Of the squared diagonal: faces on a line far from the origin have as much by rounding.
 constexpr double LeastArea = 1e-12;
+
+/// Beyond the start surface a flow from it needs no distances, but differences at it do.
+constexpr double DistanceCells = 3.0;
+constexpr double EverywhereIsNear = 0.0; ///< SignedDistanceOptions::bandWidth
 
 void requireExtent(const Box& box)
 {
@@ -64,20 +69,21 @@ void requireArea(const WrapTarget& target)
   }
 }
 
-std::vector<float> distanceTo(
-  const SurfaceMesh& surface, const DistanceGrid& grid, SignMethod sign, const Execution& execution)
-{
-  SignedDistanceOptions options;
-  options.sign = sign;
-  return signedDistance(surface, grid, grid.extent, options, execution).distance;
-}
-
 /// Signs only where they are sure and cheap.
 SignMethod signFor(const SurfaceMesh& surface)
 {
   const TopologySummary topology = summarizeTopology(surface);
   const bool isSure = topology.isClosed() && topology.isManifold() && topology.components == 1;
   return isSure ? SignMethod::Pseudonormal : SignMethod::Unsigned;
+}
+
+std::vector<float> distanceTo(
+  const SurfaceMesh& surface, const DistanceGrid& grid, double reach, const Execution& execution)
+{
+  SignedDistanceOptions options;
+  options.sign = signFor(surface);
+  options.bandWidth = reach / grid.spacing.maxCoeff();
+  return signedDistance(surface, grid, grid.extent, options, execution).distance;
 }
 
 /// Takes signs apart from distances: a bit each.
@@ -120,6 +126,12 @@ double gapThatCloses(
   return gap < most ? gap : (enclosed > 0.0 ? most : least);
 }
 
+ShrinkWrapOptions sampled(ShrinkWrapOptions options, const WrapResolution& resolution)
+{
+  options.sampleDimensions = resolution.samples;
+  return options;
+}
+
 SurfaceMesh withoutHoles(
   const SurfaceMesh& surface, double gapSize, double narrow, const Execution& execution)
 {
@@ -129,8 +141,25 @@ SurfaceMesh withoutHoles(
 
 } // namespace
 
+void setSizesAround(EditableSurface& surface, const WrapTarget& target)
+{
+  if (!target.besideCreases)
+  {
+    setUniformSizes(surface, target.elementSize());
+    return;
+  }
+  for (Index v = 0; v < surface.vertexSlots(); ++v)
+  {
+    if (surface.hasVertex(v))
+    {
+      surface.setSize(v, target.elementSizeAt(surface.point(v)));
+    }
+  }
+  gradeSizes(surface, target.besideCreases->growth());
+}
+
 DescribedTarget describeTarget(const SurfaceMesh& mesh, const ShrinkWrapOptions& options,
-  const Execution& execution, const WrapTuning& tuning)
+  const WrapResolution& resolution, const Execution& execution, const WrapTuning& tuning)
 {
   checkOptions(options);
   validate(mesh);
@@ -143,13 +172,14 @@ DescribedTarget describeTarget(const SurfaceMesh& mesh, const ShrinkWrapOptions&
   requireExtent(target.box);
   const bool isPointSet = mesh.faceCount() == 0;
   target.surface = isPointSet
-    ? surfaceAmidst(mesh, options, execution.phase(0.0, 0.4), tuning.points)
+    ? surfaceAmidst(mesh, sampled(options, resolution), execution.phase(0.0, 0.4), tuning.points)
     : weldSeams(weldCoincidentPoints(mesh), roundingOf(mesh));
   target.area = surfaceArea(target.surface);
   target.offset = options.offsetDistance;
-  target.edgeLength = options.targetEdgeLength > 0.0
-    ? options.targetEdgeLength
+  target.edgeLength = resolution.edgeLength > 0.0
+    ? resolution.edgeLength
     : defaultEdgeLength(target.area, target.box.diagonal().norm());
+  target.besideCreases = resolution.beside;
   requireArea(target);
   requireShortEdges(target);
   const double gap = isPointSet ? 0.0 : options.gapSize;
@@ -159,12 +189,13 @@ DescribedTarget describeTarget(const SurfaceMesh& mesh, const ShrinkWrapOptions&
     std::min(lengths.wallPerEdge * target.edgeLength, lengths.largestWall * target.modelSize());
   const double room =
     target.offset + std::max(lengths.largestCrackEdges * target.edgeLength, 0.5 * gap);
-  target.grid = tightGrid(target.box, options.sampleDimensions, room);
+  target.grid = tightGrid(target.box, resolution.samples, room);
   target.startLevel = target.offset +
-    std::max(lengths.startPerEdge * target.edgeLength, lengths.startPerCell * target.cellSize());
-  splitSigns(
-    distanceTo(target.surface, target.grid, signFor(target.surface), execution.phase(0.5, 0.8)),
-    fields);
+    std::max(
+      lengths.startPerEdge * target.shortestEdge(), lengths.startPerCell * target.cellSize());
+  const double needed = room + DistanceCells * target.cellSize();
+  const double reach = options.start == WrapStart::Isosurface ? needed : EverywhereIsNear;
+  splitSigns(distanceTo(target.surface, target.grid, reach, execution.phase(0.5, 0.8)), fields);
   const double closed =
     gap > 0.0 ? gap : gapThatCloses(target, fields.distance, execution.phase(0.8, 0.8));
   fields.start =

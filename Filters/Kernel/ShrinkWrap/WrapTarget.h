@@ -12,14 +12,27 @@
 
 #include "Distance/DistanceGrid.h"
 #include "Execution.h"
+#include "Features/CreaseSizes.h"
 #include "Mesh/SurfaceMesh.h"
+#include "Remeshing/EditableSurface.h"
 #include "ShrinkWrap/ShrinkWrapOptions.h"
 #include "ShrinkWrap/WrapTuning.h"
 
+#include <array>
+#include <memory>
 #include <vector>
 
 namespace evolving
 {
+
+/// How small elements, and the cells that they start from, are to be.
+struct WrapResolution
+{
+  std::array<int, 3> samples = { 128, 128, 128 };
+  double edgeLength = 0.0; ///< 0 = defaultEdgeLength() of the target
+  /// Shorter ones beside creases; null where all are alike.
+  std::shared_ptr<const CreaseSizes> beside = nullptr;
+};
 
 struct WrapTarget
 {
@@ -27,15 +40,31 @@ struct WrapTarget
   SurfaceMesh surface;     ///< triangles: the input's, and caps on its holes
   DistanceGrid grid;       ///< with room for the start surface
   double area = 0.0;       ///< of the surface
-  double edgeLength = 0.0; ///< of the result
-  double offset = 0.0;     ///< of the result from the surface
+  double edgeLength = 0.0; ///< of the result, where nothing asks for a shorter one
+  std::shared_ptr<const CreaseSizes> besideCreases; ///< shorter ones there; may be null
+  double offset = 0.0;                              ///< of the result from the surface
   double wall = 0.0;       ///< half the thickness of what becomes of sheets
   double startLevel = 0.0; ///< of the start from the surface
   WrapTuning tuning;
 
+  double shortestElement() const { return this->tuning.finish.shortening * this->shortestEdge(); }
+  /// Half of a wall's thickness if the smallest elements were to cover them: what is thicker is no
+  /// sheet.
+  double thinnestWall() const { return this->wall * this->shortestEdge() / this->edgeLength; }
   double cellSize() const { return this->grid.spacing.maxCoeff(); }
   /// The size of elements that makes remeshing end with edges of edgeLength.
   double elementSize() const { return this->tuning.finish.shortening * this->edgeLength; }
+  /// The same at a point, where elements beside creases are smaller.
+  double elementSizeAt(const Vec3& point) const
+  {
+    return this->besideCreases ? this->tuning.finish.shortening * this->besideCreases->at(point)
+                               : this->elementSize();
+  }
+  /// Of all edges of the result.
+  double shortestEdge() const
+  {
+    return this->besideCreases ? this->besideCreases->smallest() : this->edgeLength;
+  }
   /// The diagonal of the box that the result should fill.
   double modelSize() const
   {
@@ -57,6 +86,9 @@ struct DescribedTarget
   TargetFields fields;
 };
 
+/// Sizes at the vertices of a surface on or around a target.
+void setSizesAround(EditableSurface& surface, const WrapTarget& target);
+
 /**
  * @param mesh triangles in any state, or points only; not empty
  * @throws InputError for a target without extent or area, coordinates that are not finite, or
@@ -64,7 +96,7 @@ struct DescribedTarget
  * @throws Cancelled
  */
 DescribedTarget describeTarget(const SurfaceMesh& mesh, const ShrinkWrapOptions& options,
-  const Execution& execution, const WrapTuning& tuning = {});
+  const WrapResolution& resolution, const Execution& execution, const WrapTuning& tuning = {});
 
 } // namespace evolving
 

@@ -25,9 +25,10 @@ struct TargetTuning
   double startPerEdge = 0.5;
   double startPerCell = 0.8;
   ///@}
-  /// Half the thickness of the walls that sheets become when both sides can be reached. Rims are half
-  /// circles of that radius: smaller ones are collapsed and collapsed, and draw back from the sheet's
-  /// edge by two edge lengths (0.3; column "hausdorff" of a square), larger ones only lie farther off.
+  /// Half the thickness of the walls that sheets become when both sides can be reached. Rims are
+  /// half circles of that radius: smaller ones are collapsed and collapsed, and draw back from the
+  /// sheet's edge by two edge lengths (0.3; column "hausdorff" of a square), larger ones only lie
+  /// farther off.
   double wallPerEdge = 0.5;
   /// And at most this part of the model's diagonal: with few elements it would not have its shape.
   double largestWall = 0.05;
@@ -140,11 +141,18 @@ struct FinishTuning
   int releaseRounds = 3;
   int releasePasses = 2;
   ///@}
-  /// Faces farther from their patch of the target have no place there. Nearer than that, many that
-  /// belong there are lost (column "least angle" with --features).
+  /// Faces farther from their patch of the target, in sizes of the smallest, have no place there.
+  /// Nearer than that, many that belong there are lost (column "least angle" with --features).
   double reachSizes = 2.0;
   /// Of the volume before: a wrap that loses more by the capture of creases has collapsed.
   double leastVolumeAfterCapture = 0.5;
+  ///@{
+  /// Triangles with smaller angles are slivers, what Shortcomings names; so far around them a
+  /// surface is remeshed once more, so often.
+  double sliverAngle = 20.0;
+  double mendedSizes = 4.0;
+  int mendingPasses = 6;
+  ///@}
   int settleRounds = 2;  ///< at rims of walls
   int landingRounds = 4; ///< on an offset, which is a promise for vertices
 };

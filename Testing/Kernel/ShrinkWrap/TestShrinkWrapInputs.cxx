@@ -217,7 +217,7 @@ TEST(ShrinkWrapInputs, OfAHairElementsAreNotAsSmallAsItsAreaAsksFor)
   ShrinkWrapOptions options;
   options.sampleDimensions = { 16, 16, 16 };
   const SurfaceMesh hair = shapes::triangleMesh(Vec3::Zero(), Vec3::UnitX(), Vec3(0.5, 1e-9, 0.0));
-  EXPECT_NEAR(describeTarget(hair, options, {}).target.edgeLength, 2.5e-3, 1e-12);
+  EXPECT_NEAR(wraps::describe(hair, options, {}).target.edgeLength, 2.5e-3, 1e-12);
 }
 
 TEST(ShrinkWrapInputs, PointsTooFarApartForAGapSizeGetAWallAroundThem)

@@ -32,7 +32,7 @@ struct Finished
 
   Finished(const SurfaceMesh& mesh, const SurfaceMesh& arrived, const ShrinkWrapOptions& options,
     const Execution& execution = {})
-    : described(describeTarget(mesh, options, execution))
+    : described(wraps::describe(mesh, options, execution))
     , reference(target, OuterRegion(target.grid, described.fields.start, target.startLevel))
     , surface(finishWrap(arrived, target, reference, options, execution).surface)
   {

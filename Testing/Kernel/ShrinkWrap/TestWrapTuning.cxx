@@ -26,7 +26,7 @@ TEST(WrapTuning, LengthsAreThoseOfTheTarget)
   tuning.target.startPerEdge = 0.7;
   tuning.target.wallPerEdge = 0.2;
   tuning.finish.shortening = 0.9;
-  const WrapTarget target = describeTarget(icosphere(3), wraps::quick(0.3), {}, tuning).target;
+  const WrapTarget target = wraps::describe(icosphere(3), wraps::quick(0.3), {}, tuning).target;
   EXPECT_NEAR(target.startLevel, 0.7 * 0.3, 1e-12);
   EXPECT_NEAR(target.wall, 0.2 * 0.3, 1e-12);
   EXPECT_NEAR(target.elementSize(), 0.9 * 0.3, 1e-12);

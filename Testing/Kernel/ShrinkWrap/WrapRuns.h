@@ -13,6 +13,8 @@
 #include "Mesh/TopologySummary.h"
 #include "ShrinkWrap/ShrinkWrap.h"
 #include "ShrinkWrap/SurfaceReport.h"
+#include "ShrinkWrap/WrapResolution.h"
+#include "ShrinkWrap/WrapTarget.h"
 
 #include <gtest/gtest.h>
 
@@ -28,6 +30,13 @@ inline ShrinkWrapOptions quick(double edgeLength = 0.15, int samples = 40)
   options.sampleDimensions = { samples, samples, samples };
   options.targetEdgeLength = edgeLength;
   return options;
+}
+
+/// A target as the first look sees it.
+inline DescribedTarget describe(const SurfaceMesh& mesh, const ShrinkWrapOptions& options,
+  const Execution& execution, const WrapTuning& tuning = {})
+{
+  return describeTarget(mesh, options, firstResolution(options), execution, tuning);
 }
 
 inline SurfaceMesh run(const ShrinkWrapProblem& problem, const Execution& execution = {})

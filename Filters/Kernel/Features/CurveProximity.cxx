@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Features/CurveProximity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace evolving
+{
+
+namespace
+{
+
+constexpr double NearCorner = 3.0; ///< where curves that meet may be close, over the distance
+
+double squaredDistance(const TargetTriangles& target, Index edge, const Vec3& point)
+{
+  const auto [a, b] = target.edgeVertices(edge);
+  const Vec3 along = target.point(b) - target.point(a);
+  const double t = along.dot(point - target.point(a)) / along.squaredNorm();
+  const Vec3 closest = target.point(a) + std::clamp(t, 0.0, 1.0) * along;
+  return (point - closest).squaredNorm();
+}
+
+} // namespace
+
+CurveProximity::CurveProximity(const TargetTriangles& target, const SharpEdges& sharp)
+  : Target(target)
+  , Sharp(sharp)
+  , Network(target, sharp)
+  , Patches(surfacePatches(target, sharp))
+  , Tree(target, sharp.list())
+{
+}
+
+bool CurveProximity::hasOtherNear(Index edge, const Vec3& point, double distance) const
+{
+  const std::vector<Index> others = this->othersIn(edge, point, distance);
+  return std::any_of(others.begin(), others.end(),
+    [&](Index other)
+    {
+      return squaredDistance(this->Target, other, point) < distance * distance &&
+        !this->isNearSharedCorner(
+          this->Network.curveOf(edge), this->Network.curveOf(other), point, distance) &&
+        this->sharePatch(edge, other);
+    });
+}
+
+double CurveProximity::distanceToOther(Index edge, const Vec3& point, double reach) const
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Index other : this->othersIn(edge, point, reach))
+  {
+    const double distance = std::sqrt(squaredDistance(this->Target, other, point));
+    if (distance < std::min(nearest, reach) && distance > 0.0 &&
+      !this->isNearSharedCorner(
+        this->Network.curveOf(edge), this->Network.curveOf(other), point, distance) &&
+      this->sharePatch(edge, other))
+    {
+      nearest = distance;
+    }
+  }
+  return nearest;
+}
+
+std::vector<Index> CurveProximity::othersIn(Index edge, const Vec3& point, double distance) const
+{
+  const Vec3 reach = Vec3::Constant(distance);
+  std::vector<Index> near = this->Tree.edgesIn(Box(point - reach, point + reach));
+  const Index curve = this->Network.curveOf(edge);
+  near.erase(std::remove_if(near.begin(), near.end(),
+               [&](Index other)
+               { return this->Network.curveOf(other) == curve || !this->Sharp.isSharp(other); }),
+    near.end());
+  return near;
+}
+
+bool CurveProximity::isNearSharedCorner(Index c, Index d, const Vec3& point, double distance) const
+{
+  const FeatureCurve& curve = this->Network.curves()[at(c)];
+  const FeatureCurve& other = this->Network.curves()[at(d)];
+  const double reach = NearCorner * distance;
+  for (const Index end : { curve.vertices.front(), curve.vertices.back() })
+  {
+    const bool isShared = other.vertices.front() == end || other.vertices.back() == end;
+    if (isShared && (point - this->Target.point(end)).squaredNorm() < reach * reach)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool CurveProximity::sharePatch(Index edgeA, Index edgeB) const
+{
+  const TriangleEdges& edges = this->Target.edges();
+  return std::any_of(edges.begin(edgeA), edges.end(edgeA),
+    [&](Index a)
+    {
+      return std::any_of(edges.begin(edgeB), edges.end(edgeB),
+        [&](Index b) {
+          return this->Patches[TargetTriangles::faceOf(a)] ==
+            this->Patches[TargetTriangles::faceOf(b)];
+        });
+    });
+}
+
+} // namespace evolving

@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ShrinkWrap/WrapResolution.h"
+
+#include "Features/CapturableCreases.h"
+#include "Features/CarriableFeatures.h"
+#include "Mesh/TopologySummary.h"
+#include "Remeshing/EditableSurface.h"
+#include "Remeshing/SizingField.h"
+#include "ShrinkWrap/TightGrid.h"
+#include "ShrinkWrap/WrapFeatures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace evolving
+{
+
+namespace
+{
+
+constexpr int FirstSamples = 128;
+constexpr double MostPoints = 60000.0;
+/// Of what is expected: the finish ends with some more or fewer.
+constexpr double SurePart = 0.9;
+/// Of the edges of the default number of points.
+constexpr double SmallestPart = 0.125;
+///@{
+/// Of the edges of a number of points that is asked for: beside creases it goes to smaller ones.
+constexpr double LongestPart = 2.0;
+/// Between the shortest edges, and the longest ones, that are tried for it.
+constexpr double TriedRatio = 1.4;
+constexpr double TriedGrowth = 1.15;
+///@}
+/// Edges that differ by less are not worth a second look.
+constexpr double Similar = 0.1;
+/// From this on the start is as near as elements allow: TargetTuning::startPerEdge, startPerCell.
+constexpr double CellsPerEdge = 1.6;
+constexpr double MostSamples = 16e6;
+///@{
+/// Where holes are missing cells are made smaller by this part, until so many are in an edge that
+/// the elements are what closes the holes.
+constexpr double FinerCells = 0.65;
+constexpr double MostCellsPerEdge = 4.0;
+///@}
+
+/// With cells of a size, or the smallest allowed.
+WrapResolution withCells(const ShrinkWrapOptions& options, WrapResolution resolution,
+  const WrapTarget& target, double cell)
+{
+  const double least = std::cbrt(
+    target.grid.spacing.prod() * static_cast<double>(target.grid.sampleCount()) / MostSamples);
+  const int samples = samplesForCells(target.box, target.offset, std::max(cell, least));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (options.sampleDimensions[axis] == 0)
+    {
+      resolution.samples[axis] = std::max(resolution.samples[axis], samples);
+    }
+  }
+  return resolution;
+}
+
+/// Chooses sizes beside the creases of what is visible.
+class SizeChoice
+{
+public:
+  SizeChoice(const ShrinkWrapOptions& options, const WrapView& view, const Execution& execution)
+    : Target(view.reference()->visible(), execution.phase(0.0, 0.2))
+    , Creases(capturable(options, view, this->Target, execution.phase(0.2, 0.4)))
+    , Surface(view.region().boundary(execution.phase(0.4, 0.5)))
+    , Run(execution)
+  {
+  }
+
+  bool hasCreases() const { return !this->Creases.list().empty(); }
+
+  /**
+   * The sizes with the shortest edges beside creases that a number of points allows, where other
+   * edges may be longer than they would be without creases.
+   * @return null where there are none
+   */
+  std::shared_ptr<const CreaseSizes> within(double points, double edgeLength, double longestEdge)
+  {
+    for (double shortest = SmallestPart * edgeLength; shortest < edgeLength; shortest *= TriedRatio)
+    {
+      const SharpEdges carried = this->carriedBy(shortest);
+      for (double edge = edgeLength; edge <= longestEdge; edge *= TriedGrowth)
+      {
+        auto sizes = this->sizes(carried, shortest, edge);
+        if (this->expectedPoints(*sizes) <= points)
+        {
+          return sizes;
+        }
+      }
+    }
+    return nullptr;
+  }
+
+private:
+  static SharpEdges capturable(const ShrinkWrapOptions& options, const WrapView& view,
+    const TargetTriangles& target, const Execution& execution)
+  {
+    const FeatureOptions features = wantedFeatures(options, *view.reference(), 0.0);
+    OmittedCreases excluded;
+    return capturableCreases(
+      target, features, excludedTriangles(target, features), excluded, execution);
+  }
+
+  SharpEdges carriedBy(double edgeLength) const
+  {
+    SharpEdges carried = this->Creases;
+    keepCarriable(this->Target, carried, edgeLength, this->Run.phase(0.5, 0.5));
+    return carried;
+  }
+
+  std::shared_ptr<const CreaseSizes> sizes(
+    const SharpEdges& carried, double shortest, double longest) const
+  {
+    CreaseSizing sizing;
+    sizing.smallest = shortest;
+    sizing.largest = longest;
+    return std::make_shared<const CreaseSizes>(
+      this->Target, carried, sizing, this->Run.phase(0.5, 0.5));
+  }
+
+  double expectedPoints(const CreaseSizes& sizes)
+  {
+    for (Index v = 0; v < this->Surface.vertexSlots(); ++v)
+    {
+      this->Surface.setSize(v, sizes.at(this->Surface.point(v)));
+    }
+    gradeSizes(this->Surface, sizes.growth());
+    return expectedVertices(this->Surface);
+  }
+
+  TargetTriangles Target;
+  SharpEdges Creases;
+  EditableSurface Surface; ///< about as large as the result
+  const Execution& Run;
+};
+
+/// Not around sheets, whose walls are as thick as large elements, nor where parts cross and hide
+/// pieces of each other: there smaller elements run through each other, and are undone again.
+bool wantsCreases(const ShrinkWrapOptions& options, const WrapReference& reference)
+{
+  return options.preserveFeatures != FeaturePreservation::Off && !options.adaptToCurvature &&
+    reference.isOnTarget() && summarizeTopology(reference.visible()).isClosed();
+}
+
+void chooseEdges(const ShrinkWrapOptions& options, const WrapView& view, WrapResolution& needed,
+  const Execution& execution)
+{
+  const WrapReference& reference = *view.reference();
+  const double visible = surfaceArea(reference.visible());
+  const int asked = options.targetNumberOfPoints;
+  needed.edgeLength = asked > 0 ? coveringEdgeLength(visible + reference.sheetArea(), asked)
+                                : defaultEdgeLength(visible, view.target()->modelSize());
+  if (!wantsCreases(options, reference))
+  {
+    return;
+  }
+  SizeChoice choice(options, view, execution);
+  if (!choice.hasCreases())
+  {
+    return;
+  }
+  needed.beside = asked > 0
+    ? choice.within(asked, needed.edgeLength, LongestPart * needed.edgeLength)
+    : choice.within(SurePart * MostPoints, needed.edgeLength, needed.edgeLength);
+  needed.edgeLength = needed.beside ? needed.beside->largest() : needed.edgeLength;
+  if (needed.beside && needed.beside->smallest() >= needed.edgeLength)
+  {
+    needed.beside = nullptr;
+  }
+}
+
+} // namespace
+
+WrapResolution firstResolution(const ShrinkWrapOptions& options)
+{
+  WrapResolution first;
+  first.edgeLength = options.targetEdgeLength;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const int asked = options.sampleDimensions[axis];
+    first.samples[axis] = asked > 0 ? asked : FirstSamples;
+  }
+  return first;
+}
+
+std::optional<WrapResolution> neededResolution(
+  const ShrinkWrapOptions& options, const WrapView& view, const Execution& execution)
+{
+  const WrapTarget& target = *view.target();
+  const WrapResolution first = firstResolution(options);
+  WrapResolution needed = first;
+  if (options.targetEdgeLength == 0.0)
+  {
+    chooseEdges(options, view, needed, execution);
+  }
+  const double shortest = needed.beside ? needed.beside->smallest() : needed.edgeLength;
+  needed = withCells(options, needed, target, shortest / CellsPerEdge);
+  const double change = std::abs(needed.edgeLength - target.edgeLength);
+  const bool isFineEnough =
+    needed.samples == first.samples && !needed.beside && change <= Similar * target.edgeLength;
+  return isFineEnough ? std::nullopt : std::optional<WrapResolution>(needed);
+}
+
+std::optional<WrapResolution> neededForPoints(
+  const ShrinkWrapOptions& options, const WrapView& view)
+{
+  if (options.targetEdgeLength > 0.0 || options.targetNumberOfPoints == 0)
+  {
+    return std::nullopt;
+  }
+  WrapResolution needed = firstResolution(options);
+  needed.edgeLength =
+    coveringEdgeLength(surfaceArea(view.reference()->visible()), options.targetNumberOfPoints);
+  return needed;
+}
+
+std::optional<WrapResolution> finerResolution(
+  const ShrinkWrapOptions& options, const WrapResolution& tried, const WrapView& view)
+{
+  const WrapTarget& target = *view.target();
+  if (target.cellSize() * MostCellsPerEdge < target.shortestEdge())
+  {
+    return std::nullopt;
+  }
+  const WrapResolution finer = withCells(options, tried, target, FinerCells * target.cellSize());
+  return finer.samples != tried.samples ? std::optional<WrapResolution>(finer) : std::nullopt;
+}
+
+} // namespace evolving
