@@ -24,7 +24,8 @@ ENDING = {
     ("vtkSurfaceEvolution", "SmoothingSteps"): {"NumberOfSteps": 0, "ConvergenceTolerance": 1e9},
 }
 # And those that are left before their end.
-LONG = {"NumberOfSteps", "SmoothingSteps", "TargetEdgeLength", "OffsetDistance"}
+LONG = {"NumberOfSteps", "SmoothingSteps", "TargetEdgeLength", "TargetNumberOfPoints",
+        "OffsetDistance"}
 FEW_PROGRESSES = 1
 # Surfaces of millions of points, which take their time.
 NOT_MADE = {("vtkIcosphereSource", "Level"): 5, ("vtkIcosphereSource", "Resolution"): 50}
