@@ -85,7 +85,7 @@ std::unique_ptr<WrapView> viewAsNeeded(const SurfaceMesh& mesh, const ShrinkWrap
   }
   std::optional<WrapResolution> next = isPointSet
     ? neededForPoints(options, *view)
-    : neededResolution(options, *view, execution.phase(0.3, 0.3));
+    : neededResolution(options, *view, execution.phase(0.3, 0.3), wantedGenus.has_value());
   if (next)
   {
     look(*next, execution.phase(0.3, 0.6));

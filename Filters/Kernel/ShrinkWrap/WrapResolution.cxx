@@ -144,21 +144,21 @@ private:
 
 /// Not around sheets, whose walls are as thick as large elements, nor where parts cross and hide
 /// pieces of each other: there smaller elements run through each other, and are undone again.
-bool wantsCreases(const ShrinkWrapOptions& options, const WrapReference& reference)
+bool wantsCreases(const ShrinkWrapOptions& options, const WrapReference& reference, bool isClean)
 {
   return options.preserveFeatures != FeaturePreservation::Off && !options.adaptToCurvature &&
-    reference.isOnTarget() && summarizeTopology(reference.visible()).isClosed();
+    reference.isOnTarget() && (isClean || summarizeTopology(reference.visible()).isClosed());
 }
 
 void chooseEdges(const ShrinkWrapOptions& options, const WrapView& view, WrapResolution& needed,
-  const Execution& execution)
+  const Execution& execution, bool isClean)
 {
   const WrapReference& reference = *view.reference();
   const double visible = surfaceArea(reference.visible());
   const int asked = options.targetNumberOfPoints;
   needed.edgeLength = asked > 0 ? coveringEdgeLength(visible + reference.sheetArea(), asked)
                                 : defaultEdgeLength(visible, view.target()->modelSize());
-  if (!wantsCreases(options, reference))
+  if (!wantsCreases(options, reference, isClean))
   {
     return;
   }
@@ -192,14 +192,14 @@ WrapResolution firstResolution(const ShrinkWrapOptions& options)
 }
 
 std::optional<WrapResolution> neededResolution(
-  const ShrinkWrapOptions& options, const WrapView& view, const Execution& execution)
+  const ShrinkWrapOptions& options, const WrapView& view, const Execution& execution, bool isClean)
 {
   const WrapTarget& target = *view.target();
   const WrapResolution first = firstResolution(options);
   WrapResolution needed = first;
   if (options.targetEdgeLength == 0.0)
   {
-    chooseEdges(options, view, needed, execution);
+    chooseEdges(options, view, needed, execution, isClean);
   }
   const double shortest = needed.beside ? needed.beside->smallest() : needed.edgeLength;
   needed = withCells(options, needed, target, shortest / CellsPerEdge);

@@ -31,11 +31,13 @@ WrapResolution firstResolution(const ShrinkWrapOptions& options);
  * and in any case cells small enough to find holes and gaps of their size, 16 million of them at
  * most.
  * @param view by firstResolution()
+ * @param isClean is the target one closed surface that does not meet itself? Then what the first
+ *   look cannot see is behind holes too narrow for it, and not inside another part.
  * @return nothing where the first look was fine enough
  * @throws Cancelled
  */
-std::optional<WrapResolution> neededResolution(
-  const ShrinkWrapOptions& options, const WrapView& view, const Execution& execution = {});
+std::optional<WrapResolution> neededResolution(const ShrinkWrapOptions& options,
+  const WrapView& view, const Execution& execution = {}, bool isClean = false);
 
 /// The same of a target of points: only a number of them that is asked for needs a second look.
 std::optional<WrapResolution> neededForPoints(
