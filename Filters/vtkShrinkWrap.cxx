@@ -189,7 +189,7 @@ void vtkShrinkWrap::Solve(vtkPolyData* input, const evolving::Execution& executi
   ++this->NumberOfSolves;
   const evolving::ShrinkWrapOptions options = this->Options();
   KernelBridge::RequireMemory(
-    evolving::samplesAtFirst(options), evolving::wrapBytesPerSample(), "lower SampleDimensions");
+    evolving::mostSamples(options), evolving::wrapBytesPerSample(), "lower SampleDimensions");
   const KernelBridge::UsableMesh target =
     KernelBridge::ReadUsable(input, execution.phase(0.0, 0.0));
   const evolving::ShrinkWrapProblem problem =

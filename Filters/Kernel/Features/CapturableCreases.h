@@ -44,7 +44,7 @@ struct OmittedCreases
   Vec3 place = Vec3::Zero(); ///< on one
 };
 
-/// The length of some edges, or of all that are sharp.
+/// The length of some edges.
 double lengthOf(const TargetTriangles& target, const std::vector<Index>& edges);
 
 /// Triangles where creases are not wanted: FeatureOptions::isExcluded.

@@ -19,8 +19,6 @@ namespace evolving
 namespace
 {
 
-/// Between samples of a crease, over the largest size; between two of them sizes hardly change.
-constexpr double SampleStep = 0.25;
 constexpr double MostSamples = 1e4; ///< on one edge
 /// Bends that ask for less than this part of the smallest size cannot be followed anyway.
 constexpr double LeastFollowed = 0.5;
@@ -179,7 +177,7 @@ private:
   template <class SizeAt>
   void sampleAlong(const Vec3& from, const Vec3& to, const SizeAt& sizeAt)
   {
-    const double steps = std::ceil((to - from).norm() / (SampleStep * this->Sizing.largest));
+    const double steps = std::ceil((to - from).norm() / this->Sizing.step);
     const int count = static_cast<int>(std::clamp(steps, 1.0, MostSamples));
     for (int k = 0; k < count; ++k)
     {
@@ -201,28 +199,34 @@ CreaseSizes::CreaseSizes(const TargetTriangles& target, const SharpEdges& crease
   const CreaseSizing& sizing, const Execution& execution)
   : Sizing(sizing)
   , Smallest(sizing.largest)
-  , Samples(SurfaceMesh())
 {
   SizedSamples samples = Sampling(target, creases, sizing).run(execution);
-  this->Sizes = std::move(samples.sizes);
-  this->Samples = AABBTree(samples.points, execution.phase(0.0, 0.0));
-  for (const double size : this->Sizes)
+  for (const double size : samples.sizes)
   {
     this->Smallest = std::min(this->Smallest, size);
   }
+  this->Sizes = std::make_shared<const std::vector<double>>(std::move(samples.sizes));
+  this->Samples = std::make_shared<const AABBTree>(samples.points, execution.phase(0.0, 0.0));
+}
+
+CreaseSizes CreaseSizes::withLargest(double largest) const
+{
+  CreaseSizes sizes = *this;
+  sizes.Sizing.largest = std::min(this->Sizing.largest, largest);
+  return sizes;
 }
 
 double CreaseSizes::at(const Vec3& point) const
 {
-  const ClosestTriangle closest = this->Samples.closest(point);
+  const ClosestTriangle closest = this->Samples->closest(point);
   if (closest.triangle == NoIndex)
   {
     return this->Sizing.largest;
   }
-  const double betweenSamples = 0.5 * SampleStep * this->Sizing.largest;
-  const double away = std::max(0.0, std::sqrt(closest.at.squaredDistance) - betweenSamples);
-  return std::min(
-    this->Sizing.largest, this->Sizes[evolving::at(closest.triangle)] + this->Sizing.growth * away);
+  const double away =
+    std::max(0.0, std::sqrt(closest.at.squaredDistance) - 0.5 * this->Sizing.step);
+  return std::min(this->Sizing.largest,
+    (*this->Sizes)[evolving::at(closest.triangle)] + this->Sizing.growth * away);
 }
 
 } // namespace evolving

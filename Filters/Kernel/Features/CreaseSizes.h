@@ -15,6 +15,8 @@
 #include "Trees/AABBTree.h"
 #include "Types.h"
 
+#include <algorithm>
+#include <memory>
 #include <vector>
 
 namespace evolving
@@ -24,6 +26,7 @@ struct CreaseSizing
 {
   double smallest = 0.0; ///< no shorter edges, in the target's unit
   double largest = 0.0;  ///< nor longer ones
+  double step = 0.0;     ///< between samples of a crease; between two of them sizes hardly change
   double turn = 0.4;     ///< of a curved crease from edge to edge, in radians at most
   double across = 1.4;   ///< so many edges fit between two creases at least
   double growth = 0.3;   ///< of edges with the distance from a crease
@@ -40,7 +43,10 @@ public:
   CreaseSizes(const TargetTriangles& target, const SharpEdges& creases, const CreaseSizing& sizing,
     const Execution& execution = {});
 
-  double smallest() const { return this->Smallest; }
+  /// The same with other longest edges, shorter than these: measures nothing again.
+  CreaseSizes withLargest(double largest) const;
+
+  double smallest() const { return std::min(this->Smallest, this->Sizing.largest); }
   double growth() const { return this->Sizing.growth; }
   double largest() const { return this->Sizing.largest; }
   /// At a point on or beside the target, from the closest place of a crease alone: a mesh that has
@@ -50,8 +56,8 @@ public:
 private:
   CreaseSizing Sizing;
   double Smallest; ///< of all that are there
-  std::vector<double> Sizes;
-  AABBTree Samples; ///< points
+  std::shared_ptr<const std::vector<double>> Sizes;
+  std::shared_ptr<const AABBTree> Samples; ///< points
 };
 
 } // namespace evolving

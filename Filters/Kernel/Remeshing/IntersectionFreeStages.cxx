@@ -7,7 +7,7 @@
 #include "ParallelLoops.h"
 #include "Remeshing/FaceShape.h"
 #include "Remeshing/Untangling.h"
-#include "Trees/AABBTree.h"
+#include "Remeshing/VerticesNear.h"
 
 #include <algorithm>
 #include <utility>
@@ -89,16 +89,12 @@ private:
 
 void lockAround(EditableSurface& surface, const SurfaceMesh& faces, double sizes)
 {
-  const AABBTree tree(faces);
+  const std::vector<char> isNear = verticesNear(surface, faces, sizes);
   for (Index v = 0; v < surface.vertexSlots(); ++v)
   {
-    if (surface.hasVertex(v))
+    if (isNear[at(v)] != 0)
     {
-      const double reach = sizes * surface.size(v);
-      if (tree.closest(surface.point(v), reach * reach).triangle != NoIndex)
-      {
-        surface.setLocked(v);
-      }
+      surface.setLocked(v);
     }
   }
 }

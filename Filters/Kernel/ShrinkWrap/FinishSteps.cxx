@@ -12,9 +12,10 @@
 #include "Remeshing/StarOptimization.h"
 #include "Remeshing/SurfaceFit.h"
 #include "Remeshing/TargetSamples.h"
-#include "Trees/AABBTree.h"
+#include "Remeshing/VerticesNear.h"
 
 #include <limits>
+#include <vector>
 
 namespace evolving
 {
@@ -102,11 +103,11 @@ SurfaceMesh FinishSteps::slivers(const EditableSurface& surface) const
 
 void FinishSteps::mend(EditableSurface& surface) const
 {
-  const AABBTree tree(this->slivers(surface));
+  const std::vector<char> isNear =
+    verticesNear(surface, this->slivers(surface), this->Tuning.mendedSizes);
   for (Index v = 0; v < surface.vertexSlots(); ++v)
   {
-    const double reach = this->Tuning.mendedSizes * (surface.hasVertex(v) ? surface.size(v) : 0.0);
-    if (surface.hasVertex(v) && tree.closest(surface.point(v), reach * reach).triangle == NoIndex)
+    if (surface.hasVertex(v) && isNear[at(v)] == 0)
     {
       surface.setLocked(v);
     }

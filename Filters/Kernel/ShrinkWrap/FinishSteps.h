@@ -22,7 +22,7 @@ namespace evolving
 class FinishSteps
 {
 public:
-  /// All are kept.
+  /// These must outlive the steps.
   FinishSteps(
     const ReferenceSurface& reference, const WrapTarget& target, const Execution& execution)
     : Reference(reference)

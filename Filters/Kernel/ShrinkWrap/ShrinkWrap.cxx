@@ -5,8 +5,6 @@
 
 #include "Distance/SignedDistance.h"
 #include "Errors.h"
-#include "Mesh/SelfIntersections.h"
-#include "Mesh/TopologySummary.h"
 #include "ParallelLoops.h"
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/SizingField.h"
@@ -14,14 +12,12 @@
 #include "Remeshing/VertexBudget.h"
 #include "ShrinkWrap/OuterRegion.h"
 #include "ShrinkWrap/Shortcomings.h"
+#include "ShrinkWrap/WrapLooks.h"
 #include "ShrinkWrap/WrapRemesher.h"
-#include "ShrinkWrap/WrapResolution.h"
 #include "ShrinkWrap/WrapTarget.h"
-#include "ShrinkWrap/WrapView.h"
 #include "StartSurface/BoundingIcosphere.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -52,49 +48,6 @@ std::shared_ptr<const ScalarImage> levelField(const WrapTarget& target, TargetFi
     value = (isOutside ? value : -value) - static_cast<float>(level);
   }
   return std::make_shared<const ScalarImage>(target.grid, std::move(fields.distance));
-}
-
-/// Are the holes and handles of the target those of the start?
-bool showsGenus(const WrapView& view, std::optional<Index> wanted)
-{
-  if (!wanted)
-  {
-    return true;
-  }
-  const TopologySummary topology = summarizeTopology(view.region().boundary());
-  return topology.components == 1 && topology.genus() == *wanted;
-}
-
-/// Looks again and more closely at what the first look has shown to be too coarse.
-std::unique_ptr<WrapView> viewAsNeeded(const SurfaceMesh& mesh, const ShrinkWrapOptions& options,
-  const WrapTuning& tuning, const Execution& execution, std::optional<Index>& wantedGenus)
-{
-  std::unique_ptr<WrapView> view;
-  WrapResolution tried;
-  const auto look = [&](const WrapResolution& resolution, const Execution& now)
-  {
-    tried = resolution;
-    view.reset(); // before the grids of the next one need its memory
-    view = std::make_unique<WrapView>(mesh, options, resolution, tuning, now);
-  };
-  look(firstResolution(options), execution.phase(0.0, 0.3));
-  const bool isPointSet = mesh.faceCount() == 0;
-  if (!isPointSet)
-  {
-    wantedGenus = genusToKeep(view->target()->surface, options, execution.phase(0.3, 0.3));
-  }
-  std::optional<WrapResolution> next = isPointSet
-    ? neededForPoints(options, *view)
-    : neededResolution(options, *view, execution.phase(0.3, 0.3), wantedGenus.has_value());
-  if (next)
-  {
-    look(*next, execution.phase(0.3, 0.6));
-  }
-  while (!showsGenus(*view, wantedGenus) && (next = finerResolution(options, tried, *view)))
-  {
-    look(*next, execution.phase(0.6, 0.6));
-  }
-  return view;
 }
 
 /// An isosurface has about the area that the result will have.
@@ -169,23 +122,17 @@ int wrapBytesPerSample()
   return Distance + Inside + peakBytesPerSample({}) + Boundary;
 }
 
-GridIndex samplesAtFirst(const ShrinkWrapOptions& options)
-{
-  const std::array<int, 3> samples = firstResolution(options).samples;
-  return GridIndex(samples[0]) * samples[1] * samples[2];
-}
-
 ShrinkWrapProblem prepareShrinkWrap(const SurfaceMesh& mesh, const ShrinkWrapOptions& options,
   const Execution& execution, const WrapTuning& tuning)
 {
+  const SeenTarget seen = lookAsNeeded(mesh, options, tuning, execution.phase(0.0, 0.6));
+  const std::shared_ptr<const WrapTarget> target = seen.view->target();
+  const std::shared_ptr<const WrapReference> reference = seen.view->reference();
+  const OuterRegion& region = seen.view->region();
   ShrinkWrapProblem problem;
-  const std::unique_ptr<WrapView> view =
-    viewAsNeeded(mesh, options, tuning, execution.phase(0.0, 0.6), problem.wantedGenus);
-  const std::shared_ptr<const WrapTarget> target = view->target();
-  const std::shared_ptr<const WrapReference> reference = view->reference();
-  const OuterRegion& region = view->region();
+  problem.wantedGenus = seen.wantedGenus;
   const auto remesher = std::make_shared<WrapRemesher>(target, reference, options);
-  problem.field = levelField(*target, std::move(view->fields()), region, *reference);
+  problem.field = levelField(*target, std::move(seen.view->fields()), region, *reference);
   const SurfaceMesh start = options.start == WrapStart::Icosphere
     ? sphereStart(*target)
     : region.boundary(execution.phase(0.7, 0.8));
@@ -207,20 +154,6 @@ ShrinkWrapProblem prepareShrinkWrap(const SurfaceMesh& mesh, const ShrinkWrapOpt
   problem.edgeLength = target->edgeLength;
   problem.modelSize = target->modelSize();
   return problem;
-}
-
-std::optional<Index> genusToKeep(
-  const SurfaceMesh& target, const ShrinkWrapOptions& options, const Execution& execution)
-{
-  if (options.gapSize > 0.0 || options.offsetDistance > 0.0)
-  {
-    return std::nullopt;
-  }
-  const TopologySummary topology = summarizeTopology(target);
-  const bool isOneSurface = topology.isClosed() && topology.isManifold() && topology.isOriented() &&
-    topology.components == 1;
-  const bool isClean = isOneSurface && selfIntersections(triangleView(target), execution).empty();
-  return isClean ? std::optional<Index>(topology.genus()) : std::nullopt;
 }
 
 std::size_t bytesOf(const ShrinkWrapProblem& problem)

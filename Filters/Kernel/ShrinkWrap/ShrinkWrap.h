@@ -16,8 +16,10 @@
 #include "Mesh/SurfaceMesh.h"
 #include "ShrinkWrap/ShrinkWrapOptions.h"
 #include "ShrinkWrap/SurfaceReport.h"
+#include "ShrinkWrap/WantedGenus.h"
 #include "ShrinkWrap/WrapReference.h"
 #include "ShrinkWrap/WrapRemesher.h"
+#include "ShrinkWrap/WrapResolution.h"
 #include "ShrinkWrap/WrapTuning.h"
 
 #include <cstddef>
@@ -49,10 +51,6 @@ struct ShrinkWrapProblem
  */
 int wrapBytesPerSample();
 
-/// The samples of the first look at a target; where their number is automatic, a second look may
-/// take more, 16 million at most.
-GridIndex samplesAtFirst(const ShrinkWrapOptions& options);
-
 /**
  * @param mesh the target: triangles in any state, or points only; not empty
  * @throws InputError for a target without extent or area, coordinates that are not finite, options
@@ -61,16 +59,6 @@ GridIndex samplesAtFirst(const ShrinkWrapOptions& options);
  */
 ShrinkWrapProblem prepareShrinkWrap(const SurfaceMesh& mesh, const ShrinkWrapOptions& options,
   const Execution& execution = {}, const WrapTuning& tuning = {});
-
-/**
- * The genus of a target that is one closed surface, manifold, oriented and without
- * self-intersections, if it is wrapped as it is: none with a GapSize or an OffsetDistance, which
- * close holes on purpose.
- * @param target triangles, welded
- * @throws Cancelled
- */
-std::optional<Index> genusToKeep(
-  const SurfaceMesh& target, const ShrinkWrapOptions& options, const Execution& execution = {});
 
 /// What a problem holds in memory for its flow, the start aside.
 std::size_t bytesOf(const ShrinkWrapProblem& problem);

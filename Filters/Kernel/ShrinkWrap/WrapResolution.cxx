@@ -3,15 +3,12 @@
 
 #include "ShrinkWrap/WrapResolution.h"
 
-#include "Features/CapturableCreases.h"
-#include "Features/CarriableFeatures.h"
 #include "Mesh/TopologySummary.h"
-#include "Remeshing/EditableSurface.h"
-#include "Remeshing/SizingField.h"
+#include "ShrinkWrap/CreaseSizeChoice.h"
 #include "ShrinkWrap/TightGrid.h"
-#include "ShrinkWrap/WrapFeatures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -25,15 +22,8 @@ constexpr int FirstSamples = 128;
 constexpr double MostPoints = 60000.0;
 /// Of what is expected: the finish ends with some more or fewer.
 constexpr double SurePart = 0.9;
-/// Of the edges of the default number of points.
-constexpr double SmallestPart = 0.125;
-///@{
 /// Of the edges of a number of points that is asked for: beside creases it goes to smaller ones.
 constexpr double LongestPart = 2.0;
-/// Between the shortest edges, and the longest ones, that are tried for it.
-constexpr double TriedRatio = 1.4;
-constexpr double TriedGrowth = 1.15;
-///@}
 /// Edges that differ by less are not worth a second look.
 constexpr double Similar = 0.1;
 /// From this on the start is as near as elements allow: TargetTuning::startPerEdge, startPerCell.
@@ -63,85 +53,6 @@ WrapResolution withCells(const ShrinkWrapOptions& options, WrapResolution resolu
   return resolution;
 }
 
-/// Chooses sizes beside the creases of what is visible.
-class SizeChoice
-{
-public:
-  SizeChoice(const ShrinkWrapOptions& options, const WrapView& view, const Execution& execution)
-    : Target(view.reference()->visible(), execution.phase(0.0, 0.2))
-    , Creases(capturable(options, view, this->Target, execution.phase(0.2, 0.4)))
-    , Surface(view.region().boundary(execution.phase(0.4, 0.5)))
-    , Run(execution)
-  {
-  }
-
-  bool hasCreases() const { return !this->Creases.list().empty(); }
-
-  /**
-   * The sizes with the shortest edges beside creases that a number of points allows, where other
-   * edges may be longer than they would be without creases.
-   * @return null where there are none
-   */
-  std::shared_ptr<const CreaseSizes> within(double points, double edgeLength, double longestEdge)
-  {
-    for (double shortest = SmallestPart * edgeLength; shortest < edgeLength; shortest *= TriedRatio)
-    {
-      const SharpEdges carried = this->carriedBy(shortest);
-      for (double edge = edgeLength; edge <= longestEdge; edge *= TriedGrowth)
-      {
-        auto sizes = this->sizes(carried, shortest, edge);
-        if (this->expectedPoints(*sizes) <= points)
-        {
-          return sizes;
-        }
-      }
-    }
-    return nullptr;
-  }
-
-private:
-  static SharpEdges capturable(const ShrinkWrapOptions& options, const WrapView& view,
-    const TargetTriangles& target, const Execution& execution)
-  {
-    const FeatureOptions features = wantedFeatures(options, *view.reference(), 0.0);
-    OmittedCreases excluded;
-    return capturableCreases(
-      target, features, excludedTriangles(target, features), excluded, execution);
-  }
-
-  SharpEdges carriedBy(double edgeLength) const
-  {
-    SharpEdges carried = this->Creases;
-    keepCarriable(this->Target, carried, edgeLength, this->Run.phase(0.5, 0.5));
-    return carried;
-  }
-
-  std::shared_ptr<const CreaseSizes> sizes(
-    const SharpEdges& carried, double shortest, double longest) const
-  {
-    CreaseSizing sizing;
-    sizing.smallest = shortest;
-    sizing.largest = longest;
-    return std::make_shared<const CreaseSizes>(
-      this->Target, carried, sizing, this->Run.phase(0.5, 0.5));
-  }
-
-  double expectedPoints(const CreaseSizes& sizes)
-  {
-    for (Index v = 0; v < this->Surface.vertexSlots(); ++v)
-    {
-      this->Surface.setSize(v, sizes.at(this->Surface.point(v)));
-    }
-    gradeSizes(this->Surface, sizes.growth());
-    return expectedVertices(this->Surface);
-  }
-
-  TargetTriangles Target;
-  SharpEdges Creases;
-  EditableSurface Surface; ///< about as large as the result
-  const Execution& Run;
-};
-
 /// Not around sheets, whose walls are as thick as large elements, nor where parts cross and hide
 /// pieces of each other: there smaller elements run through each other, and are undone again.
 bool wantsCreases(const ShrinkWrapOptions& options, const WrapReference& reference, bool isClean)
@@ -162,19 +73,11 @@ void chooseEdges(const ShrinkWrapOptions& options, const WrapView& view, WrapRes
   {
     return;
   }
-  SizeChoice choice(options, view, execution);
-  if (!choice.hasCreases())
-  {
-    return;
-  }
-  needed.beside = asked > 0
-    ? choice.within(asked, needed.edgeLength, LongestPart * needed.edgeLength)
-    : choice.within(SurePart * MostPoints, needed.edgeLength, needed.edgeLength);
+  const bool isAsked = asked > 0;
+  const PointBudget budget{ isAsked ? asked : SurePart * MostPoints, needed.edgeLength,
+    (isAsked ? LongestPart : 1.0) * needed.edgeLength };
+  needed.beside = chooseCreaseSizes(options, *view.reference(), view.region(), budget, execution);
   needed.edgeLength = needed.beside ? needed.beside->largest() : needed.edgeLength;
-  if (needed.beside && needed.beside->smallest() >= needed.edgeLength)
-  {
-    needed.beside = nullptr;
-  }
 }
 
 } // namespace
@@ -189,6 +92,15 @@ WrapResolution firstResolution(const ShrinkWrapOptions& options)
     first.samples[axis] = asked > 0 ? asked : FirstSamples;
   }
   return first;
+}
+
+GridIndex mostSamples(const ShrinkWrapOptions& options)
+{
+  const std::array<int, 3> first = firstResolution(options).samples;
+  const GridIndex samples = GridIndex(first[0]) * first[1] * first[2];
+  const auto& asked = options.sampleDimensions;
+  const bool isAutomatic = std::find(asked.begin(), asked.end(), 0) != asked.end();
+  return isAutomatic ? std::max(samples, static_cast<GridIndex>(MostSamples)) : samples;
 }
 
 std::optional<WrapResolution> neededResolution(

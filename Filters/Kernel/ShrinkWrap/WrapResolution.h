@@ -13,6 +13,7 @@
 #include "ShrinkWrap/ShrinkWrapOptions.h"
 #include "ShrinkWrap/WrapTarget.h"
 #include "ShrinkWrap/WrapView.h"
+#include "Types.h"
 
 #include <optional>
 
@@ -22,6 +23,9 @@ namespace evolving
 /// For a first look at a target, of which nothing is known yet: 128 samples where none are asked
 /// for.
 WrapResolution firstResolution(const ShrinkWrapOptions& options);
+
+/// Of the grid of any look: as many as are asked for, or 16 million where that is automatic.
+GridIndex mostSamples(const ShrinkWrapOptions& options);
 
 /**
  * What the first look has shown to be needed. Where no edge length is asked for, elements

@@ -23,6 +23,7 @@ CreaseSizing between(double smallest, double largest)
   CreaseSizing sizing;
   sizing.smallest = smallest;
   sizing.largest = largest;
+  sizing.step = 0.25 * largest;
   return sizing;
 }
 
@@ -108,6 +109,21 @@ TEST(CreaseSizes, StayBetweenTheirBounds)
   EXPECT_EQ(sizes.smallest(), 0.1);
   EXPECT_EQ(sizes.largest(), 0.3);
   EXPECT_EQ(sizes.at(Vec3(0.5, 0.0, 0.0)), 0.1);
+}
+
+TEST(CreaseSizes, WithOtherLongestEdgesAreTheSameBelowThose)
+{
+  CreaseSizing sizing = between(0.01, 0.4);
+  sizing.step = 0.05;
+  const CreaseSizes shortened = sizesOf(plate(0.1), sizing).withLargest(0.2);
+  sizing.largest = 0.2;
+  const CreaseSizes expected = sizesOf(plate(0.1), sizing);
+  EXPECT_EQ(shortened.largest(), 0.2);
+  EXPECT_EQ(shortened.smallest(), expected.smallest());
+  for (const Vec3& point : { Vec3(0.5, 0.0, 0.0), Vec3(0.5, 0.2, 0.1), Vec3(0.5, 0.5, 0.1) })
+  {
+    EXPECT_EQ(shortened.at(point), expected.at(point));
+  }
 }
 
 TEST(CreaseSizes, AreLargeEverywhereWithoutCreases)

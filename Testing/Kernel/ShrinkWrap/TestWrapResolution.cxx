@@ -56,6 +56,15 @@ TEST(WrapResolution, OfTheFirstLookIsWhatIsAskedForOr128)
   EXPECT_EQ(firstResolution(options).edgeLength, 0.5);
 }
 
+TEST(WrapResolution, CountsTheSamplesOfAnyLook)
+{
+  EXPECT_EQ(mostSamples(sampled(20)), 8000);
+  ShrinkWrapOptions options;
+  EXPECT_EQ(mostSamples(options), 16000000);
+  options.sampleDimensions = { 4096, 4096, 0 };
+  EXPECT_EQ(mostSamples(options), GridIndex(4096) * 4096 * 128);
+}
+
 TEST(WrapResolution, OfASmoothModelNeedsNoSecondLook)
 {
   EXPECT_FALSE(needed(icosphere(4), sampled(32)));
