@@ -203,7 +203,7 @@ void captureFeatures(
   Capture(surface, features, labels).run();
 }
 
-Index releaseFeatures(EditableSurface& surface, double degrees)
+std::vector<Index> crampedFeatures(const EditableSurface& surface, double degrees)
 {
   const double limit = std::cos(degrees * RadiansPerDegree);
   std::vector<Index> vertices;
@@ -218,6 +218,11 @@ Index releaseFeatures(EditableSurface& surface, double degrees)
   }
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+void releaseFeatures(EditableSurface& surface, const std::vector<Index>& vertices)
+{
   for (const Index v : vertices)
   {
     surface.releasePin(v);
@@ -228,7 +233,6 @@ Index releaseFeatures(EditableSurface& surface, double degrees)
         surface.setLabel(EditableSurface::faceOf(e), FeatureReference::NoPatch);
       });
   }
-  return static_cast<Index>(vertices.size());
 }
 
 } // namespace evolving

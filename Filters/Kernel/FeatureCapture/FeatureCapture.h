@@ -14,6 +14,8 @@
 #include "Features/TargetFeatures.h"
 #include "Remeshing/EditableSurface.h"
 
+#include <vector>
+
 namespace evolving
 {
 
@@ -31,12 +33,15 @@ void captureFeatures(
   EditableSurface& surface, const TargetFeatures& features, const Execution& execution = {});
 
 /**
- * Lets the creases go at the corners of triangles with a smaller angle than some: there are more of
- * them, or they meet at a smaller angle, than elements of that size can carry.
+ * The vertices on creases at the corners of triangles with a smaller angle than some: there are
+ * more creases, or they meet at a smaller angle, than elements of that size can carry.
  * @param degrees the angle
- * @return the number of vertices that are free now
+ * @return ascending
  */
-Index releaseFeatures(EditableSurface& surface, double degrees);
+std::vector<Index> crampedFeatures(const EditableSurface& surface, double degrees);
+
+/// Lets the creases go at some vertices.
+void releaseFeatures(EditableSurface& surface, const std::vector<Index>& vertices);
 
 } // namespace evolving
 

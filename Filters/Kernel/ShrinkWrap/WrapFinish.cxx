@@ -15,6 +15,7 @@
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace evolving
 {
@@ -66,7 +67,7 @@ public:
     }
     this->stage(0.5, 0.6, &Finish::polish);
     this->stage(0.6, 0.75, &Finish::fitAlong);
-    if (this->OnFeatures)
+    for (int round = 0; round < this->Tuning.releaseRounds && this->isCramped(); ++round)
     {
       this->stage(0.75, 0.75, &Finish::release);
     }
@@ -178,18 +179,19 @@ private:
     this->steps(now).remesh(surface, this->Tuning.capturePasses);
   }
 
+  std::vector<Index> cramped(const EditableSurface& surface) const
+  {
+    return crampedFeatures(surface, this->Tuning.leastFeatureAngle);
+  }
+
+  bool isCramped() const { return this->OnFeatures && !this->cramped(this->Surface).empty(); }
+
   void release(EditableSurface& surface, const Execution& now) const
   {
-    for (int round = 0; round < this->Tuning.releaseRounds; ++round)
-    {
-      if (releaseFeatures(surface, this->Tuning.leastFeatureAngle) == 0)
-      {
-        return;
-      }
-      this->steps(now).remesh(surface, this->Tuning.releasePasses);
-      this->polish(surface, now);
-      this->fitAlong(surface, now);
-    }
+    releaseFeatures(surface, this->cramped(surface));
+    this->steps(now).remesh(surface, this->Tuning.releasePasses);
+    this->polish(surface, now);
+    this->fitAlong(surface, now);
   }
 
   void adapt(EditableSurface& surface, const Execution& now) const

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <vector>
 
 namespace
 {
@@ -56,7 +57,9 @@ TEST(FeatureRelease, FreesTheCornersOfBadTrianglesAndNothingElse)
     const std::set<Index> free = wanted(before, degrees);
     ASSERT_GE(free.size(), 2u) << degrees;
     EditableSurface after = before;
-    EXPECT_EQ(releaseFeatures(after, degrees), static_cast<Index>(free.size()));
+    const std::vector<Index> cramped = crampedFeatures(after, degrees);
+    EXPECT_EQ(cramped, std::vector<Index>(free.begin(), free.end()));
+    releaseFeatures(after, cramped);
     EXPECT_TRUE(after.mesh() == before.mesh());
     for (const Index v : editing::verticesOf(before))
     {
@@ -89,7 +92,7 @@ TEST(FeatureRelease, IsSeenByTheCoverage)
     unmarked += isFree && surface.curve(e) != NoIndex ? 0.5 * surface.length(e) : 0.0;
   }
   ASSERT_GT(unmarked, 0.1);
-  releaseFeatures(surface, 15.0);
+  releaseFeatures(surface, crampedFeatures(surface, 15.0));
   EXPECT_NEAR(featureCoverage(surface, features, 1e-3, 1e-9).missing, unmarked, 0.01 * unmarked);
 }
 
@@ -97,7 +100,7 @@ TEST(FeatureRelease, OfGoodElementsIsNothing)
 {
   const TargetFeatures features = featuresOf(creasedShapes()[1]);
   EditableSurface surface = captureOfWedge(features);
-  EXPECT_EQ(releaseFeatures(surface, 0.0), 0);
+  EXPECT_TRUE(crampedFeatures(surface, 0.0).empty());
   EXPECT_EQ(featureCoverage(surface, features, 0.01, 1e-9).missing, 0.0);
 }
 
@@ -105,14 +108,16 @@ TEST(FeatureRelease, OfEverythingLeavesNoCrease)
 {
   const TargetFeatures features = featuresOf(creasedShapes()[1]);
   EditableSurface surface = captureOfWedge(features);
-  EXPECT_GT(releaseFeatures(surface, 61.0), 0);
+  const std::vector<Index> all = crampedFeatures(surface, 61.0);
+  EXPECT_FALSE(all.empty());
+  releaseFeatures(surface, all);
   const FeatureCoverage coverage = featureCoverage(surface, features, 0.01, 10.0);
   EXPECT_NEAR(coverage.missing, coverage.length, 1e-9);
   for (const Index v : editing::verticesOf(surface))
   {
     ASSERT_FALSE(surface.isPinned(v));
   }
-  EXPECT_EQ(releaseFeatures(surface, 61.0), 0);
+  EXPECT_TRUE(crampedFeatures(surface, 61.0).empty());
 }
 
 TEST(FeatureRelease, LocksStay)
@@ -121,7 +126,7 @@ TEST(FeatureRelease, LocksStay)
   EditableSurface surface = captureOfWedge(features);
   const std::set<Index> free = wanted(surface, 15.0);
   surface.setLocked(*free.begin());
-  releaseFeatures(surface, 15.0);
+  releaseFeatures(surface, crampedFeatures(surface, 15.0));
   EXPECT_TRUE(surface.isLocked(*free.begin()));
 }
 
