@@ -12,7 +12,9 @@
  * onto the input as vtkSurfaceEvolution does, with new elements after every step. At the end
  * vertices find ridges, the worst triangles are improved, and triangles are fitted to the input by
  * least squares. The orientation of the input is never trusted. Sheets that can be reached from
- * both sides become thin closed walls.
+ * both sides become thin closed walls. Parts that run through each other, or touch, become one
+ * surface; where they cross is a sharp edge as any other. (Parts that meet are moved by less than a
+ * millionth of the diagonal for that.)
  *
  * Faces of fewer than three corners, and faces and points whose coordinates are not finite, are
  * left out; a warning counts them, and so does Shortcomings.
@@ -129,7 +131,7 @@ public:
    * there is more area. Beside the sharp edges that PreserveFeatures keeps, triangles become so
    * small that they follow their bends, round holes say, in steps of 23 degrees, and that some fit
    * between two of them, down to an eighth of the edges elsewhere; but not with AdaptToCurvature,
-   * nor where the input has sheets, or parts that cross.
+   * nor where the input has sheets, or parts that cross and are not closed.
    */
   vtkSetClampMacro(TargetNumberOfPoints, int, 0, 1000000);
   vtkGetMacro(TargetNumberOfPoints, int);

@@ -28,6 +28,7 @@ KERNEL_ARROWS = {
     "Algebra": set(),
     "Operators": {"Mesh", "Algebra"},
     "Distance": {"Mesh", "Trees"},
+    "Crossings": {"Mesh", "Trees", "Distance"},
     "Features": {"Mesh", "Trees", "Distance"},
     "StartSurface": {"Mesh", "Trees", "Distance"},
     "Remeshing": {"Mesh", "Trees", "Algebra", "Distance"},
@@ -35,7 +36,7 @@ KERNEL_ARROWS = {
     "Redistribution": {"Mesh", "Trees", "Algebra", "Operators"},
     "Evolution": {"Mesh", "Trees", "Distance", "Algebra", "Operators", "Redistribution",
                   "Remeshing"},
-    "ShrinkWrap": {"Mesh", "Trees", "Distance", "Features", "StartSurface", "Remeshing",
+    "ShrinkWrap": {"Mesh", "Trees", "Distance", "Crossings", "Features", "StartSurface", "Remeshing",
                    "FeatureCapture", "Evolution"},
 }
 

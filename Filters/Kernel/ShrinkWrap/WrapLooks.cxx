@@ -3,6 +3,8 @@
 
 #include "ShrinkWrap/WrapLooks.h"
 
+#include "Crossings/OuterSurface.h"
+#include "Mesh/SeamWelding.h"
 #include "Mesh/TopologySummary.h"
 #include "ShrinkWrap/WantedGenus.h"
 #include "ShrinkWrap/WrapResolution.h"
@@ -24,20 +26,33 @@ bool showsGenus(const WrapView& view, std::optional<Index> wanted)
   return topology.components == 1 && topology.genus() == *wanted;
 }
 
+/// What is seen of parts that run through each other; none where nothing does.
+std::optional<SurfaceMesh> unionOf(const SurfaceMesh& mesh, const Execution& execution)
+{
+  return mesh.faceCount() > 0
+    ? outerSurface(weldSeams(weldCoincidentPoints(mesh), roundingOf(mesh)), execution)
+    : std::nullopt;
+}
+
 } // namespace
 
 SeenTarget lookAsNeeded(const SurfaceMesh& mesh, const ShrinkWrapOptions& options,
   const WrapTuning& tuning, const Execution& execution)
 {
+  checkOptions(options);
+  validate(mesh);
+  const std::optional<SurfaceMesh> united = unionOf(mesh, execution.phase(0.0, 0.1));
+  const bool isClosedUnion = united && summarizeTopology(*united).isClosed();
   SeenTarget seen;
   WrapResolution tried;
   const auto look = [&](const WrapResolution& resolution, const Execution& now)
   {
     tried = resolution;
     seen.view.reset(); // before the grids of the next one need its memory
-    seen.view = std::make_unique<WrapView>(mesh, options, resolution, tuning, now);
+    seen.view =
+      std::make_unique<WrapView>(united ? *united : mesh, options, resolution, tuning, now);
   };
-  look(firstResolution(options), execution.phase(0.0, 0.5));
+  look(firstResolution(options), execution.phase(0.1, 0.5));
   const Execution now = execution.phase(0.5, 0.5);
   std::optional<WrapResolution> next;
   if (mesh.faceCount() == 0)
@@ -46,8 +61,12 @@ SeenTarget lookAsNeeded(const SurfaceMesh& mesh, const ShrinkWrapOptions& option
   }
   else
   {
-    seen.wantedGenus = genusToKeep(seen.view->target()->surface, options, now);
-    next = neededResolution(options, *seen.view, now, seen.wantedGenus.has_value());
+    if (!united)
+    {
+      seen.wantedGenus = genusToKeep(seen.view->target()->surface, options, now);
+    }
+    const bool isClean = isClosedUnion || seen.wantedGenus.has_value();
+    next = neededResolution(options, *seen.view, now, isClean);
   }
   if (next)
   {

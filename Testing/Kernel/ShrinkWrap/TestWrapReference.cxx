@@ -152,7 +152,7 @@ TEST(WrapReference, AFinOnASolidIsAWallAndTheSolidIsNot)
   EXPECT_TRUE(reference->hasSheets());
   EXPECT_FALSE(reference->isOnTarget());
   const auto side = reference->onSurface(Vec3(0.2, 1.05, 0.3), Vec3::UnitY(), 0, NoIndex);
-  EXPECT_LT((side.point - Vec3(0.2, 1.0, 0.3)).norm(), 1e-12);
+  EXPECT_LT((side.point - Vec3(0.2, 1.0, 0.3)).norm(), 1e-5); // parts that meet are moved
   const auto wall = reference->onSurface(Vec3(0.1, 0.07, 1.7), Vec3::UnitY(), 0, NoIndex);
   EXPECT_LT((wall.point - Vec3(0.1, 0.01 + TargetTuning().wallPerEdge * 0.1, 1.7)).norm(), 1e-12);
 }

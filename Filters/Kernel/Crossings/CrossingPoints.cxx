@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Crossings/CrossingPoints.h"
+
+#include "Crossings/GridPoint.h"
+#include "Mesh/Orientation.h"
+#include "ParallelLoops.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace evolving
+{
+
+namespace
+{
+
+/// An edge and a triangle that it runs through.
+using Piercing = std::pair<Index, Index>;
+using Piercings = std::array<Piercing, 2>;
+
+/// Looks at one pair of triangles.
+class PairOfTriangles
+{
+public:
+  PairOfTriangles(const SurfaceMesh& mesh, const TriangleEdges& edges, const IndexPair& pair)
+    : Mesh(mesh)
+    , Edges(edges)
+    , Pair(pair)
+  {
+  }
+
+  /// None where they do not cross by two edges.
+  std::optional<Piercings> piercings() const
+  {
+    if (this->shareAVertex())
+    {
+      return std::nullopt;
+    }
+    std::vector<Piercing> found;
+    if (!this->addPiercings(this->Pair.first, this->Pair.second, found) ||
+      !this->addPiercings(this->Pair.second, this->Pair.first, found) || found.size() != 2)
+    {
+      return std::nullopt;
+    }
+    return Piercings{ found[0], found[1] };
+  }
+
+private:
+  bool shareAVertex() const
+  {
+    for (Index i = 0; i < 9; ++i)
+    {
+      if (this->Mesh.faceVertex(this->Pair.first, i / 3) ==
+        this->Mesh.faceVertex(this->Pair.second, i % 3))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Of the edges of a triangle. @return false where something only touches
+  bool addPiercings(Index edgesOf, Index triangle, std::vector<Piercing>& found) const
+  {
+    const Vec3& a = this->Mesh.facePoint(triangle, 0);
+    const Vec3& b = this->Mesh.facePoint(triangle, 1);
+    const Vec3& c = this->Mesh.facePoint(triangle, 2);
+    std::array<int, 3> sides{};
+    for (Index k = 0; k < 3; ++k)
+    {
+      sides[at(k)] = orientation(a, b, c, this->Mesh.facePoint(edgesOf, k));
+      if (sides[at(k)] == 0)
+      {
+        return false;
+      }
+    }
+    for (Index k = 0; k < 3; ++k)
+    {
+      const Index next = (k + 1) % 3;
+      if (sides[at(k)] == sides[at(next)])
+      {
+        continue;
+      }
+      const Vec3& p = this->Mesh.facePoint(edgesOf, k);
+      const Vec3& q = this->Mesh.facePoint(edgesOf, next);
+      const std::array<int, 3> turns = { orientation(p, q, a, b), orientation(p, q, b, c),
+        orientation(p, q, c, a) };
+      const auto [least, most] = std::minmax_element(turns.begin(), turns.end());
+      if (*least == *most && *least != 0)
+      {
+        found.emplace_back(this->Edges.edgeOf(3 * edgesOf + k), triangle);
+      }
+      else if (*least >= 0 || *most <= 0)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const SurfaceMesh& Mesh;
+  const TriangleEdges& Edges;
+  IndexPair Pair;
+};
+
+CrossingPoint placed(const SurfaceMesh& mesh, const TriangleEdges& edges, const Piercing& piercing)
+{
+  const auto [edge, triangle] = piercing;
+  const Index corner = *edges.begin(edge);
+  const Index face = corner / 3;
+  const auto [low, high] =
+    std::minmax({ mesh.faceVertex(face, corner % 3), mesh.faceVertex(face, (corner % 3 + 1) % 3) });
+  const Vec3& p = mesh.points[at(low)];
+  const Vec3& q = mesh.points[at(high)];
+  const Vec3 normal = faceVectorArea(mesh, triangle).stableNormalized();
+  const Vec3& origin = mesh.facePoint(triangle, 0);
+  const double below = std::abs(normal.dot(p - origin));
+  const double above = std::abs(normal.dot(q - origin));
+  const double part = below + above > 0.0 ? below / (below + above) : 0.5;
+  const auto along = static_cast<std::int64_t>(std::llround(part * double(GridPoint::Unit)));
+  return { edge, triangle, std::clamp<std::int64_t>(along, 1, GridPoint::Unit - 1),
+    p + part * (q - p) };
+}
+
+} // namespace
+
+CrossingPoints crossingPoints(const SurfaceMesh& mesh, const TriangleEdges& edges,
+  const std::vector<IndexPair>& pairs, const Execution& execution)
+{
+  std::vector<std::optional<Piercings>> ofPair(pairs.size());
+  forEachIndex(execution, static_cast<std::int64_t>(pairs.size()),
+    [&](Index i) { ofPair[at(i)] = PairOfTriangles(mesh, edges, pairs[at(i)]).piercings(); });
+  std::vector<Piercing> all;
+  for (const auto& piercings : ofPair)
+  {
+    if (piercings)
+    {
+      all.insert(all.end(), piercings->begin(), piercings->end());
+    }
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  const auto numberOf = [&all](const Piercing& piercing)
+  { return static_cast<Index>(std::lower_bound(all.begin(), all.end(), piercing) - all.begin()); };
+  CrossingPoints crossings;
+  crossings.points.resize(all.size());
+  forEachIndex(execution, static_cast<std::int64_t>(all.size()),
+    [&](Index i) { crossings.points[at(i)] = placed(mesh, edges, all[at(i)]); });
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+  {
+    if (ofPair[i])
+    {
+      const auto& [first, second] = *ofPair[i];
+      crossings.segments.push_back(
+        { { pairs[i].first, pairs[i].second }, { numberOf(first), numberOf(second) } });
+    }
+  }
+  return crossings;
+}
+
+} // namespace evolving
