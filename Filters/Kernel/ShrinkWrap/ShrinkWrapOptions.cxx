@@ -17,8 +17,9 @@ namespace
 /// Of a cube an edge is then three cells of the default grid long: the grid shows what elements of
 /// that size can carry.
 constexpr double DefaultVertexCount = 9000.0;
-/// Elements along the thinnest wire, whose wall has some more around it: not many more in all.
-constexpr double DefaultMostAlong = 400.0;
+/// Vertices of the wall around the thinnest wire, for each edge length along it: so the wall has
+/// not many more in all than the wire is to have.
+constexpr double VerticesAroundWire = 22.5;
 /// As of an input (FloatRange.cxx): distances of this size, and their squares, are floats.
 constexpr double SmallestLength = 1e-31;
 constexpr double LargestLength = 1e31;
@@ -72,9 +73,14 @@ double coveringEdgeLength(double area, double vertexCount)
   return std::sqrt(2.0 * area / (vertexCount * std::sqrt(3.0)));
 }
 
+double edgeLengthFor(double vertexCount, double area, double length)
+{
+  return std::max(coveringEdgeLength(area, vertexCount), VerticesAroundWire * length / vertexCount);
+}
+
 double defaultEdgeLength(double area, double length)
 {
-  return std::max(coveringEdgeLength(area, DefaultVertexCount), length / DefaultMostAlong);
+  return edgeLengthFor(DefaultVertexCount, area, length);
 }
 
 } // namespace evolving

@@ -72,8 +72,11 @@ double timeStepOf(const ShrinkWrapOptions& options);
 /// sqrt(2 A / (N sqrt(3))): equilateral triangles of this edge cover A with N vertices.
 double coveringEdgeLength(double area, double vertexCount);
 
-/// Covers the area with 9000 vertices. Of a wire or a needle, which has next to no area, a
-/// four-hundredth of its length.
+/// Covers the area with so many vertices. Of a wire or a needle, which has next to no area, so long
+/// that the wall around it has about as many.
+double edgeLengthFor(double vertexCount, double area, double length);
+
+/// edgeLengthFor() 9000 vertices: a four-hundredth of a needle's length.
 double defaultEdgeLength(double area, double length);
 
 } // namespace evolving

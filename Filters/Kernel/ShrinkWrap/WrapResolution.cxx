@@ -67,8 +67,9 @@ void chooseEdges(const ShrinkWrapOptions& options, const WrapView& view, WrapRes
   const WrapReference& reference = *view.reference();
   const double visible = surfaceArea(reference.visible());
   const int asked = options.targetNumberOfPoints;
-  needed.edgeLength = asked > 0 ? coveringEdgeLength(visible + reference.sheetArea(), asked)
-                                : defaultEdgeLength(visible, view.target()->modelSize());
+  const double size = view.target()->modelSize();
+  needed.edgeLength = asked > 0 ? edgeLengthFor(asked, visible + reference.sheetArea(), size)
+                                : defaultEdgeLength(visible, size);
   if (!wantsCreases(options, reference, isClean))
   {
     return;
@@ -129,8 +130,8 @@ std::optional<WrapResolution> neededForPoints(
     return std::nullopt;
   }
   WrapResolution needed = firstResolution(options);
-  needed.edgeLength =
-    coveringEdgeLength(surfaceArea(view.reference()->visible()), options.targetNumberOfPoints);
+  needed.edgeLength = edgeLengthFor(options.targetNumberOfPoints,
+    surfaceArea(view.reference()->visible()), view.target()->modelSize());
   return needed;
 }
 

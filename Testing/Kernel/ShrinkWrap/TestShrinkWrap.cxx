@@ -64,6 +64,7 @@ TEST(ShrinkWrap, DefaultEdgeLengthGivesNineThousandVertices)
   // Equilateral triangles of edge 1 have two triangles, so one vertex, per sqrt(3) / 2 of area.
   EXPECT_NEAR(defaultEdgeLength(9000.0 * std::sqrt(3.0) / 2.0, 60.0), 1.0, 1e-12);
   EXPECT_EQ(defaultEdgeLength(1e-20, 500.0), 1.25); // a needle
+  EXPECT_EQ(edgeLengthFor(900.0, 1e-20, 500.0), 12.5);
 }
 
 TEST(ShrinkWrap, OffsetDistanceIsKept)

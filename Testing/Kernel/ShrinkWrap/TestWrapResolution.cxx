@@ -175,6 +175,19 @@ TEST(WrapResolution, GivesAboutAsManyPointsAsAreAskedFor)
   }
 }
 
+TEST(WrapResolution, OfANeedleDoesNotGrowAsItsAreaShrinks)
+{
+  SurfaceMesh needle;
+  needle.points = { Vec3::Zero(), Vec3(1e-6, 0, 0), Vec3(0, 0.1, 0) };
+  needle.addFace({ 0, 1, 2 });
+  ShrinkWrapOptions options;
+  options.targetNumberOfPoints = 900;
+  EXPECT_NEAR(needed(needle, options)->edgeLength, 0.0025, 1e-9);
+  const Index points = wraps::wrap(needle, options).vertexCount();
+  EXPECT_GT(points, 100);
+  EXPECT_LT(points, 1800);
+}
+
 TEST(WrapResolution, KeepsHolesNarrowerThanTheDefaultGridSees)
 {
   // Of a plate 24 holes' sides long: elements are as large as holes, cells larger than half of one.
