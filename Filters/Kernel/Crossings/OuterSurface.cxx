@@ -11,6 +11,7 @@
 #include "Mesh/DisjointSets.h"
 #include "Mesh/SelfIntersections.h"
 #include "Mesh/SurfaceParts.h"
+#include "Mesh/TopologySummary.h"
 #include "Mesh/TriangleEdges.h"
 #include "ParallelLoops.h"
 #include "Trees/TriangleGeometry.h"
@@ -84,6 +85,8 @@ private:
   WindingNumber Winding;
 };
 
+/// Of the diagonal: a few times what parts are moved by.
+constexpr double ShortestEdge = 3e-6;
 /// A triangle of open parts may cross so many others of such, on average: in a soup of large ones
 /// all cross all, and pieces would be smaller than any element.
 constexpr std::size_t MostCrossings = 4;
@@ -158,6 +161,33 @@ void letPatchesAgree(const SurfaceMesh& pieces, std::vector<char>& isCovered)
   }
 }
 
+/// Contacts leave edges as short as parts were moved, along which no crease can be told. They are
+/// collapsed, unless that would pinch the surface.
+SurfaceMesh withoutShortEdges(const SurfaceMesh& surface, double length)
+{
+  const TriangleEdges edges(surface);
+  DisjointSets same(at(surface.vertexCount()));
+  for (Index edge = 0; edge < edges.edgeCount(); ++edge)
+  {
+    const Index corner = *edges.begin(edge);
+    const Index a = surface.cornerVertices[at(corner)];
+    const Index b = surface.cornerVertices[at(TriangleEdges::nextCorner(corner))];
+    if ((surface.points[at(a)] - surface.points[at(b)]).norm() < length)
+    {
+      same.join(a, b);
+    }
+  }
+  SurfaceMesh joined = surface;
+  for (Index& vertex : joined.cornerVertices)
+  {
+    vertex = same.find(vertex);
+  }
+  joined = weldCoincidentPoints(joined);
+  const bool isPinched =
+    summarizeTopology(surface).isClosed() && !summarizeTopology(joined).isClosed();
+  return isPinched ? surface : joined;
+}
+
 SurfaceMesh withoutCovered(const SurfaceMesh& whole, const SurfaceParts& parts,
   const CutTriangles& cut, const Execution& execution)
 {
@@ -196,9 +226,12 @@ std::optional<SurfaceMesh> outerSurface(const SurfaceMesh& surface, const Execut
     isSeparated ? selfIntersections(triangleView(whole), execution.phase(0.2, 0.4)) : meeting;
   const std::optional<CutTriangles> cut =
     cutCrossings(whole, worthCutting(parts, crossing), execution.phase(0.4, 0.7));
-  return cut
-    ? std::optional<SurfaceMesh>(withoutCovered(whole, parts, *cut, execution.phase(0.7, 1.0)))
-    : std::nullopt;
+  if (!cut)
+  {
+    return std::nullopt;
+  }
+  return withoutShortEdges(withoutCovered(whole, parts, *cut, execution.phase(0.7, 1.0)),
+    ShortestEdge * boundingBox(whole).diagonal().norm());
 }
 
 } // namespace evolving
