@@ -106,7 +106,7 @@ public:
   /**
    * Samples of the distance along each axis, 8 to 4096. The default is 0, automatic: 128, or as
    * many as the triangles need to find holes and gaps of their size, and as the holes and handles
-   * of a clean closed input need; 16 million at most in all.
+   * of a clean closed input need; 32 million (800 MB) at most in all.
    */
   void SetSampleDimensions(int x, int y, int z);
   void SetSampleDimensions(const int dimensions[3]);

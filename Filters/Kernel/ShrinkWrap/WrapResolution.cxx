@@ -28,7 +28,11 @@ constexpr double LongestPart = 2.0;
 constexpr double Similar = 0.1;
 /// From this on the start is as near as elements allow: TargetTuning::startPerEdge, startPerCell.
 constexpr double CellsPerEdge = 1.6;
-constexpr double MostSamples = 16e6;
+/// Of the shortest edges, where they are not alike: in a hole a few edges wide, or between two
+/// walls, the start is else a crumple that no remeshing leaves.
+constexpr double CellsPerShortestEdge = 2.4;
+/// 800 MB.
+constexpr double MostSamples = 32e6;
 ///@{
 /// Where holes are missing cells are made smaller by this part, until so many are in an edge that
 /// the elements are what closes the holes.
@@ -114,8 +118,9 @@ std::optional<WrapResolution> neededResolution(
   {
     chooseEdges(options, view, needed, execution, isClean);
   }
-  const double shortest = needed.beside ? needed.beside->smallest() : needed.edgeLength;
-  needed = withCells(options, needed, target, shortest / CellsPerEdge);
+  const double cell = needed.beside ? needed.beside->smallest() / CellsPerShortestEdge
+                                    : needed.edgeLength / CellsPerEdge;
+  needed = withCells(options, needed, target, cell);
   const double change = std::abs(needed.edgeLength - target.edgeLength);
   const bool isFineEnough =
     needed.samples == first.samples && !needed.beside && change <= Similar * target.edgeLength;

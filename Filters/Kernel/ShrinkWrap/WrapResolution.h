@@ -24,7 +24,7 @@ namespace evolving
 /// for.
 WrapResolution firstResolution(const ShrinkWrapOptions& options);
 
-/// Of the grid of any look: as many as are asked for, or 16 million where that is automatic.
+/// Of the grid of any look: as many as are asked for, or 32 million where that is automatic.
 GridIndex mostSamples(const ShrinkWrapOptions& options);
 
 /**
@@ -32,7 +32,7 @@ GridIndex mostSamples(const ShrinkWrapOptions& options);
  * - of as many points as are asked for, or else of 9000, or as many more as it takes: up to 60,000;
  * - without parts of the target that cannot be seen from outside;
  * - smaller ones beside the creases to preserve, down to an eighth, CreaseSizes;
- * and in any case cells small enough to find holes and gaps of their size, 16 million of them at
+ * and in any case cells small enough to find holes and gaps of their size, 32 million of them at
  * most.
  * @param view by firstResolution()
  * @param isClean is the target one closed surface that does not meet itself? Then what the first

@@ -60,7 +60,7 @@ TEST(WrapResolution, CountsTheSamplesOfAnyLook)
 {
   EXPECT_EQ(mostSamples(sampled(20)), 8000);
   ShrinkWrapOptions options;
-  EXPECT_EQ(mostSamples(options), 16000000);
+  EXPECT_EQ(mostSamples(options), 32000000);
   options.sampleDimensions = { 4096, 4096, 0 };
   EXPECT_EQ(mostSamples(options), GridIndex(4096) * 4096 * 128);
 }
