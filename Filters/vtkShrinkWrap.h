@@ -12,7 +12,8 @@
  * onto the input as vtkSurfaceEvolution does, with new elements after every step. At the end
  * vertices find ridges, the worst triangles are improved, and triangles are fitted to the input by
  * least squares. The orientation of the input is never trusted. Sheets that can be reached from
- * both sides become thin closed walls. Parts that run through each other, or touch, become one
+ * both sides become thin closed walls, about an edge length thick; their rims are sharp edges where
+ * those are kept (PreserveFeatures) and no TargetEdgeLength is asked for. Parts that run through each other, or touch, become one
  * surface; where they cross is a sharp edge as any other. (Parts that meet are moved by less than a
  * millionth of the diagonal for that.)
  *

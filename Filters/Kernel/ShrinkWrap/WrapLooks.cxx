@@ -4,10 +4,13 @@
 #include "ShrinkWrap/WrapLooks.h"
 
 #include "Crossings/OuterSurface.h"
+#include "Crossings/SolidSheets.h"
 #include "Mesh/SeamWelding.h"
 #include "Mesh/TopologySummary.h"
 #include "ShrinkWrap/WantedGenus.h"
 #include "ShrinkWrap/WrapResolution.h"
+
+#include <utility>
 
 namespace evolving
 {
@@ -26,13 +29,121 @@ bool showsGenus(const WrapView& view, std::optional<Index> wanted)
   return topology.components == 1 && topology.genus() == *wanted;
 }
 
-/// What is seen of parts that run through each other; none where nothing does.
-std::optional<SurfaceMesh> unionOf(const SurfaceMesh& mesh, const Execution& execution)
+class Looks
 {
-  return mesh.faceCount() > 0
-    ? outerSurface(weldSeams(weldCoincidentPoints(mesh), roundingOf(mesh)), execution)
-    : std::nullopt;
-}
+public:
+  Looks(const SurfaceMesh& mesh, const ShrinkWrapOptions& options, const WrapTuning& tuning,
+    const Execution& execution)
+    : Model(mesh)
+    , Options(options)
+    , Tuning(tuning)
+    , Run(execution)
+  {
+  }
+
+  SeenTarget run()
+  {
+    if (this->Model.faceCount() == 0)
+    {
+      this->look(firstResolution(this->Options), this->Run.phase(0.0, 0.5));
+      this->lookAgain(neededForPoints(this->Options, *this->Seen.view));
+      return std::move(this->Seen);
+    }
+    this->unite(this->Run.phase(0.0, 0.1));
+    this->look(firstResolution(this->Options), this->Run.phase(0.1, 0.4));
+    if (this->makeSheetsSolid(this->Run.phase(0.4, 0.4)))
+    {
+      this->unite(this->Run.phase(0.4, 0.4));
+      this->look(firstResolution(this->Options), this->Run.phase(0.4, 0.5));
+    }
+    this->lookAgain(this->needed());
+    this->lookForHoles();
+    return std::move(this->Seen);
+  }
+
+private:
+  void look(const WrapResolution& resolution, const Execution& now)
+  {
+    this->Tried = resolution;
+    this->Seen.view.reset(); // before the grids of the next one need its memory
+    this->Seen.view =
+      std::make_unique<WrapView>(this->Model, this->Options, resolution, this->Tuning, now);
+  }
+
+  void lookAgain(const std::optional<WrapResolution>& resolution)
+  {
+    if (resolution)
+    {
+      this->look(*resolution, this->Run.phase(0.5, 1.0));
+    }
+  }
+
+  void lookForHoles()
+  {
+    std::optional<WrapResolution> finer;
+    while (!showsGenus(*this->Seen.view, this->Seen.wantedGenus) &&
+      (finer = finerResolution(this->Options, this->Tried, *this->Seen.view)))
+    {
+      this->look(*finer, this->Run.phase(1.0, 1.0));
+    }
+  }
+
+  /// Parts that run through each other become one.
+  void unite(const Execution& now)
+  {
+    const SurfaceMesh welded =
+      weldSeams(weldCoincidentPoints(this->Model), roundingOf(this->Model));
+    std::optional<SurfaceMesh> united = outerSurface(welded, now);
+    this->IsUnited = united.has_value();
+    if (united)
+    {
+      this->Model = std::move(*united);
+    }
+  }
+
+  /// Walls around sheets have no creases to keep; solids have, where elements beside their rims may
+  /// be small enough.
+  bool makeSheetsSolid(const Execution& now)
+  {
+    const WrapTarget& target = *this->Seen.view->target();
+    const WrapReference& reference = *this->Seen.view->reference();
+    if (!reference.hasSheets() || reference.hasOffset() || !mayVarySizes(this->Options))
+    {
+      return false;
+    }
+    const std::optional<WrapResolution> needed =
+      neededResolution(this->Options, *this->Seen.view, now);
+    const double edge = needed ? needed->edgeLength : target.edgeLength;
+    std::optional<SurfaceMesh> solids = solidSheets(
+      target.surface, [&reference](const Vec3& p) { return reference.isAtSheet(p); },
+      target.wallFor(edge), now);
+    if (solids)
+    {
+      this->Model = std::move(*solids);
+    }
+    return solids.has_value();
+  }
+
+  std::optional<WrapResolution> needed()
+  {
+    const Execution now = this->Run.phase(0.5, 0.5);
+    if (!this->IsUnited)
+    {
+      this->Seen.wantedGenus = genusToKeep(this->Seen.view->target()->surface, this->Options, now);
+    }
+    const bool isClean = this->Seen.wantedGenus.has_value() ||
+      (this->IsUnited && summarizeTopology(this->Model).isClosed());
+    return neededResolution(this->Options, *this->Seen.view, now, isClean);
+  }
+
+  SurfaceMesh Model;
+  bool IsUnited = false;
+  const ShrinkWrapOptions& Options;
+  const WrapTuning& Tuning;
+  const Execution& Run;
+  WrapResolution Tried;
+  SeenTarget Seen;
+};
 
 } // namespace
 
@@ -41,43 +152,7 @@ SeenTarget lookAsNeeded(const SurfaceMesh& mesh, const ShrinkWrapOptions& option
 {
   checkOptions(options);
   validate(mesh);
-  const std::optional<SurfaceMesh> united = unionOf(mesh, execution.phase(0.0, 0.1));
-  const bool isClosedUnion = united && summarizeTopology(*united).isClosed();
-  SeenTarget seen;
-  WrapResolution tried;
-  const auto look = [&](const WrapResolution& resolution, const Execution& now)
-  {
-    tried = resolution;
-    seen.view.reset(); // before the grids of the next one need its memory
-    seen.view =
-      std::make_unique<WrapView>(united ? *united : mesh, options, resolution, tuning, now);
-  };
-  look(firstResolution(options), execution.phase(0.1, 0.5));
-  const Execution now = execution.phase(0.5, 0.5);
-  std::optional<WrapResolution> next;
-  if (mesh.faceCount() == 0)
-  {
-    next = neededForPoints(options, *seen.view);
-  }
-  else
-  {
-    if (!united)
-    {
-      seen.wantedGenus = genusToKeep(seen.view->target()->surface, options, now);
-    }
-    const bool isClean = isClosedUnion || seen.wantedGenus.has_value();
-    next = neededResolution(options, *seen.view, now, isClean);
-  }
-  if (next)
-  {
-    look(*next, execution.phase(0.5, 1.0));
-  }
-  while (!showsGenus(*seen.view, seen.wantedGenus) &&
-    (next = finerResolution(options, tried, *seen.view)))
-  {
-    look(*next, execution.phase(1.0, 1.0));
-  }
-  return seen;
+  return Looks(mesh, options, tuning, execution).run();
 }
 
 } // namespace evolving

@@ -29,9 +29,11 @@ struct SeenTarget
 };
 
 /**
- * A first look; a second one where it has shown that other elements or finer cells are needed
- * (neededResolution()); and more while the start has not the holes and handles of a clean closed
- * target (finerResolution()). One view is held at a time.
+ * Of parts that run through each other, as one surface (outerSurface()): a first look; the same
+ * again where it has shown sheets, that are then solids (solidSheets()); another one where it has
+ * shown that other elements or finer cells are needed (neededResolution()); and more while the
+ * start has not the holes and handles of a clean closed target (finerResolution()). One view is
+ * held at a time.
  * @throws as describeTarget()
  */
 SeenTarget lookAsNeeded(const SurfaceMesh& mesh, const ShrinkWrapOptions& options,

@@ -61,8 +61,8 @@ WrapResolution withCells(const ShrinkWrapOptions& options, WrapResolution resolu
 /// pieces of each other: there smaller elements run through each other, and are undone again.
 bool wantsCreases(const ShrinkWrapOptions& options, const WrapReference& reference, bool isClean)
 {
-  return options.preserveFeatures != FeaturePreservation::Off && !options.adaptToCurvature &&
-    reference.isOnTarget() && (isClean || summarizeTopology(reference.visible()).isClosed());
+  return mayVarySizes(options) && reference.isOnTarget() &&
+    (isClean || summarizeTopology(reference.visible()).isClosed());
 }
 
 void chooseEdges(const ShrinkWrapOptions& options, const WrapView& view, WrapResolution& needed,
@@ -86,6 +86,12 @@ void chooseEdges(const ShrinkWrapOptions& options, const WrapView& view, WrapRes
 }
 
 } // namespace
+
+bool mayVarySizes(const ShrinkWrapOptions& options)
+{
+  return options.targetEdgeLength == 0.0 && !options.adaptToCurvature &&
+    options.preserveFeatures != FeaturePreservation::Off;
+}
 
 WrapResolution firstResolution(const ShrinkWrapOptions& options)
 {

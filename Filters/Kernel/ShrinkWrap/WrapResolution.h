@@ -24,6 +24,9 @@ namespace evolving
 /// for.
 WrapResolution firstResolution(const ShrinkWrapOptions& options);
 
+/// Do the options leave it to the target how small elements beside creases are?
+bool mayVarySizes(const ShrinkWrapOptions& options);
+
 /// Of the grid of any look: as many as are asked for, or 32 million where that is automatic.
 GridIndex mostSamples(const ShrinkWrapOptions& options);
 

@@ -185,8 +185,7 @@ DescribedTarget describeTarget(const SurfaceMesh& mesh, const ShrinkWrapOptions&
   const double gap = isPointSet ? 0.0 : options.gapSize;
   target.surface = withoutHoles(
     target.surface, gap, lengths.narrowEdges * target.edgeLength, execution.phase(0.4, 0.5));
-  target.wall =
-    std::min(lengths.wallPerEdge * target.edgeLength, lengths.largestWall * target.modelSize());
+  target.wall = target.wallFor(target.edgeLength);
   const double room =
     target.offset + std::max(lengths.largestCrackEdges * target.edgeLength, 0.5 * gap);
   target.grid = tightGrid(target.box, resolution.samples, room);

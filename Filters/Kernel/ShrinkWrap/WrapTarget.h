@@ -18,6 +18,7 @@
 #include "ShrinkWrap/ShrinkWrapOptions.h"
 #include "ShrinkWrap/WrapTuning.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -51,6 +52,12 @@ struct WrapTarget
   /// Half of a wall's thickness if the smallest elements were to cover them: what is thicker is no
   /// sheet.
   double thinnestWall() const { return this->wall * this->shortestEdge() / this->edgeLength; }
+  /// Half of the thickness of walls for edges of a length.
+  double wallFor(double edge) const
+  {
+    return std::min(
+      this->tuning.target.wallPerEdge * edge, this->tuning.target.largestWall * this->modelSize());
+  }
   double cellSize() const { return this->grid.spacing.maxCoeff(); }
   /// The size of elements that makes remeshing end with edges of edgeLength.
   double elementSize() const { return this->tuning.finish.shortening * this->edgeLength; }

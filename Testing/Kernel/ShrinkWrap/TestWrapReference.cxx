@@ -88,7 +88,9 @@ TEST(WrapReference, HiddenPartsAreNoneOfIt)
 
 TEST(WrapReference, ADoubleSidedSheetIsAWall)
 {
-  const auto reference = referenceFor(sheetOfSide(2.0, 12));
+  ShrinkWrapOptions options = wraps::quick();
+  options.preserveFeatures = FeaturePreservation::Off; // else it is a solid
+  const auto reference = referenceFor(sheetOfSide(2.0, 12), options);
   const double wall = TargetTuning().wallPerEdge * 0.15;
   EXPECT_TRUE(reference->hasSheets());
   EXPECT_FALSE(reference->isOnTarget());

@@ -64,7 +64,7 @@ TEST(WrapWithoutFeatures, AnOffsetHasNoCreasesAndSaysSo)
   EXPECT_FALSE(mentions(plain.sentences, "creases"));
 }
 
-TEST(WrapWithoutFeatures, AFoldedSheetHasNoCreasesAndSaysSo)
+TEST(WrapWithoutFeatures, AFoldedSheetOfUniformElementsHasNoCreasesAndSaysSo)
 {
   const SurfaceMesh sheet = shapes::heightField(8, [](double x, double) { return std::abs(x); });
   const Wrapped wrapped(sheet, withFeatures(0.15));
@@ -72,6 +72,19 @@ TEST(WrapWithoutFeatures, AFoldedSheetHasNoCreasesAndSaysSo)
   EXPECT_NEAR(wrapped.report.creases.length, 2.0, 1e-12);
   EXPECT_NEAR(wrapped.report.creases.missing, 2.0, 1e-9);
   EXPECT_TRUE(mentions(wrapped.sentences, "creases"));
+}
+
+TEST(WrapWithoutFeatures, AFoldedSheetIsElseASolidWithAllItsCreases)
+{
+  const SurfaceMesh sheet = shapes::heightField(8, [](double x, double) { return std::abs(x); });
+  ShrinkWrapOptions options = withFeatures(0.0);
+  options.targetNumberOfPoints = 2000;
+  const Wrapped wrapped(sheet, options);
+  expectSound(wrapped.surface, 0, 1, 30.0);
+  // The fold and the rim, on both sides.
+  EXPECT_GT(wrapped.report.creases.length, 2.0 * (2.0 + 4.0 + 4.0 * std::sqrt(2.0)) - 0.5);
+  EXPECT_EQ(wrapped.report.creases.missing, 0.0);
+  EXPECT_FALSE(mentions(wrapped.sentences, "creases"));
 }
 
 TEST(WrapWithoutFeatures, AutomaticLeavesRoughThingsAsTheyAre)
