@@ -12,6 +12,8 @@ import math
 import os
 import sys
 
+from engineering_shapes import bar_heap, bowl, bracket, clamp, perforated_sheet, rib_cooler
+
 
 # --- shapes: each function returns (points, faces) -----------------------------------------------
 def surface_of_cells(cells, place):
@@ -152,7 +154,9 @@ def vtk_text(title, points, faces):
 
 WRITERS = {".obj": obj_text, ".ply": ply_text, ".vtk": vtk_text}
 SHAPES = {"cube.obj": cube, "arc.vtk": arc, "torus.ply": torus, "genus_two.obj": genus_two,
-          "disc.vtk": disc}
+          "disc.vtk": disc, "clamp.obj": clamp, "perforated_sheet.obj": perforated_sheet,
+          "rib_cooler.obj": rib_cooler, "bowl.ply": bowl,
+          "bar_heap.ply": lambda: triangulated(*bar_heap()), "bracket.vtk": bracket}
 
 
 def main(arguments):

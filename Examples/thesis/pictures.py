@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of the figures: panels in rows, each with a caption, drawn offscreen into one PNG.
+"""Pictures of the figures: panels in rows, each with a caption, drawn offscreen into a PNG or JPEG.
 
     save([Panel([surface(reader)], "input"), Panel([surface(filter)], "output")])
 """
@@ -15,7 +15,7 @@ import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401  (and volumes)
 from vtkmodules.vtkCommonDataModel import vtkBoundingBox
 from vtkmodules.vtkImagingCore import vtkImageShiftScale, vtkImageShrink3D
 from vtkmodules.vtkImagingMath import vtkImageMaskBits
-from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (vtkLight, vtkRenderer, vtkRenderWindow, vtkTextActor,
                                          vtkWindowToImageFilter)
 
@@ -143,8 +143,12 @@ def write(window, path):
     brighter.SetScale(255.0 / SHADES)
     brighter.ClampOverflowOn()
     brighter.SetOutputScalarTypeToUnsignedChar()
-    writer = vtkPNGWriter()
-    writer.SetCompressionLevel(9)
+    if str(path).endswith(".jpg"):               # smaller where there are thousands of edges
+        writer = vtkJPEGWriter()
+        writer.SetQuality(80)
+    else:
+        writer = vtkPNGWriter()
+        writer.SetCompressionLevel(9)
     writer.SetFileName(str(path))
     writer.SetInputConnection(brighter.GetOutputPort())
     writer.Write()

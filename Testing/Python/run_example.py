@@ -10,12 +10,14 @@ import sys
 import tempfile
 from pathlib import Path
 
-from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOImage import vtkJPEGReader, vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLGenericDataObjectReader
+
+PICTURES = {".jpg": vtkJPEGReader, ".png": vtkPNGReader}
 
 
 def is_blank(path):
-    reader = vtkPNGReader()
+    reader = PICTURES[path.suffix]()
     reader.SetFileName(str(path))
     reader.Update()
     colors = reader.GetOutput().GetPointData().GetScalars()
@@ -26,7 +28,7 @@ def is_blank(path):
 
 
 def check(path):
-    """A file has content: points where it is in VTK's own format, more than one colour in a PNG."""
+    """A file has content: points in VTK's own formats, more than one colour in a picture."""
     if path.stat().st_size == 0:
         return f"{path.name} is empty"
     if path.suffix in (".vtp", ".vti"):
@@ -35,7 +37,7 @@ def check(path):
         reader.Update()
         if reader.GetOutput() is None or reader.GetOutput().GetNumberOfPoints() == 0:
             return f"{path.name} has no points"
-    if path.suffix == ".png" and is_blank(path):
+    if path.suffix in PICTURES and is_blank(path):
         return f"{path.name} is of one colour, or cannot be read"
     return None
 
