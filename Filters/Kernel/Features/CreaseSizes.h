@@ -28,7 +28,7 @@ struct CreaseSizing
   double largest = 0.0;  ///< nor longer ones
   double step = 0.0;     ///< between samples of a crease; between two of them sizes hardly change
   double turn = 0.4;     ///< of a curved crease from edge to edge, in radians at most
-  double across = 1.8;   ///< so many edges fit between two creases at least
+  double across = 1.4;   ///< so many edges fit between two creases at least
   double growth = 0.3;   ///< of edges with the distance from a crease
 };
 

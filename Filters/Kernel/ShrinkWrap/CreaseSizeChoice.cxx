@@ -42,6 +42,7 @@ CreaseSizes sizesFor(const TargetTriangles& target, SharpEdges creases, double s
   keepCarriable(target, creases, shortest, execution);
   CreaseSizing sizing;
   sizing.smallest = shortest;
+  sizing.across = budget.across;
   sizing.largest = budget.longestEdge;
   sizing.step = SampleStep * budget.edgeLength;
   return CreaseSizes(target, creases, sizing, execution);

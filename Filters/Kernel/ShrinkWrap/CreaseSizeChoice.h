@@ -25,6 +25,7 @@ struct PointBudget
   double points = 0.0;
   double edgeLength = 0.0;  ///< of edges away from creases
   double longestEdge = 0.0; ///< as long as those may become to save points; not below edgeLength
+  double across = 0.0;      ///< so many edges between two creases
 };
 
 /**

@@ -24,6 +24,12 @@ constexpr double MostPoints = 60000.0;
 constexpr double SurePart = 0.9;
 /// Of the edges of a number of points that is asked for: beside creases it goes to smaller ones.
 constexpr double LongestPart = 2.0;
+///@{
+/// Edges between two creases: about two, so that what an element cuts off a corner of a thin wall
+/// stays on its side of the wall; fewer where points are counted.
+constexpr double EnoughAcross = 1.8;
+constexpr double FewAcross = 1.4;
+///@}
 /// Edges that differ by less are not worth a second look.
 constexpr double Similar = 0.1;
 /// From this on the start is as near as elements allow: TargetTuning::startPerEdge, startPerCell.
@@ -80,7 +86,7 @@ void chooseEdges(const ShrinkWrapOptions& options, const WrapView& view, WrapRes
   }
   const bool isAsked = asked > 0;
   const PointBudget budget{ isAsked ? asked : SurePart * MostPoints, needed.edgeLength,
-    (isAsked ? LongestPart : 1.0) * needed.edgeLength };
+    (isAsked ? LongestPart : 1.0) * needed.edgeLength, isAsked ? FewAcross : EnoughAcross };
   needed.beside = chooseCreaseSizes(options, *view.reference(), view.region(), budget, execution);
   needed.edgeLength = needed.beside ? needed.beside->largest() : needed.edgeLength;
 }
