@@ -20,9 +20,9 @@ from pictures import Panel, save  # noqa: E402
 SHAPES = {"clamp.obj": (3000, (0.7, 0.4, 0.5), 1.0),
           "perforated_sheet.obj": (5000, (0.4, -0.8, 0.9), 1.0),
           "bracket.vtk": (3000, (0.7, 0.9, 0.5), 1.0),
-          "rib_cooler.obj": (3000, (0.5, -1.0, 0.7), 1.0),
+          "rib_cooler.obj": (6000, (0.5, -1.0, 0.7), 1.0),
           "bowl.ply": (3000, (0.6, -1.0, 0.9), 1.0),
-          "bar_heap.ply": (3000, (0.4, -1.0, 0.8), 1.25)}
+          "bar_heap.ply": (4000, (0.4, -1.0, 0.8), 1.25)}
 
 panels, results = [], {}
 for name, (number, direction, zoom) in SHAPES.items():
