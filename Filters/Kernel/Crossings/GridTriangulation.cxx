@@ -88,38 +88,6 @@ std::size_t GridTriangulation::sideTo(Index cell, Index neighbour) const
     std::find(across.begin(), across.end(), neighbour) - across.begin());
 }
 
-void GridTriangulation::set(
-  Index cell, const std::array<Index, 3>& vertices, const std::array<Beyond, 3>& beyond)
-{
-  Cell& c = this->Cells[at(cell)];
-  c.vertices = vertices;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    c.across[k] = beyond[k].cell;
-    c.isFixed[k] = beyond[k].isFixed;
-    this->CellOf[at(vertices[k])] = cell;
-    if (beyond[k].cell == NoIndex)
-    {
-      continue;
-    }
-    Cell& other = this->Cells[at(beyond[k].cell)];
-    for (std::size_t j = 0; j < 3; ++j)
-    {
-      if (other.vertices[next(j)] == vertices[previous(k)] &&
-        other.vertices[previous(j)] == vertices[next(k)])
-      {
-        other.across[j] = cell;
-      }
-    }
-  }
-}
-
-Index GridTriangulation::addCell()
-{
-  this->Cells.emplace_back();
-  return this->cellCount() - 1;
-}
-
 Index GridTriangulation::insert(const GridPoint& point)
 {
   const Index cell = this->cellAt(point);
@@ -149,50 +117,6 @@ Index GridTriangulation::insert(const GridPoint& point)
   }
   this->Last = this->CellOf.back();
   return vertex;
-}
-
-void GridTriangulation::splitCell(Index cell, Index vertex)
-{
-  const auto [a, b, c] = this->cell(cell);
-  const Beyond beyondA = this->beyond(cell, 0);
-  const Beyond beyondB = this->beyond(cell, 1);
-  const Beyond beyondC = this->beyond(cell, 2);
-  const Index second = this->addCell();
-  const Index third = this->addCell();
-  this->set(cell, { vertex, b, c }, { beyondA, Beyond{ second }, Beyond{ third } });
-  this->set(second, { vertex, c, a }, { beyondB, Beyond{ third }, Beyond{ cell } });
-  this->set(third, { vertex, a, b }, { beyondC, Beyond{ cell }, Beyond{ second } });
-  this->legalize({ cell, second, third }, vertex);
-}
-
-void GridTriangulation::splitSide(Index cell, std::size_t k, Index vertex)
-{
-  const Cell old = this->Cells[at(cell)];
-  const Index a = old.vertices[k];
-  const Index b = old.vertices[next(k)];
-  const Index c = old.vertices[previous(k)];
-  const Index other = old.across[k];
-  const bool isFixed = old.isFixed[k];
-  const Beyond beyondB = this->beyond(cell, next(k));
-  const Beyond beyondC = this->beyond(cell, previous(k));
-  const Index second = this->addCell();
-  if (other == NoIndex)
-  {
-    this->set(cell, { a, b, vertex }, { Beyond{}, Beyond{ second }, beyondC });
-    this->set(second, { a, vertex, c }, { Beyond{}, beyondB, Beyond{ cell } });
-    this->legalize({ cell, second }, vertex);
-    return;
-  }
-  const std::size_t j = this->sideTo(other, cell);
-  const Index d = this->Cells[at(other)].vertices[j];
-  const Beyond otherB = this->beyond(other, previous(j)); // its vertices are d, c, b
-  const Beyond otherC = this->beyond(other, next(j));
-  const Index fourth = this->addCell();
-  this->set(cell, { a, b, vertex }, { Beyond{ other, isFixed }, Beyond{ second }, beyondC });
-  this->set(second, { a, vertex, c }, { Beyond{ fourth, isFixed }, beyondB, Beyond{ cell } });
-  this->set(other, { d, vertex, b }, { Beyond{ cell, isFixed }, otherC, Beyond{ fourth } });
-  this->set(fourth, { d, c, vertex }, { Beyond{ second, isFixed }, Beyond{ other }, otherB });
-  this->legalize({ cell, second, other, fourth }, vertex);
 }
 
 Index GridTriangulation::opposite(const Side& side) const
@@ -226,45 +150,6 @@ bool GridTriangulation::isInCircle(const Side& side) const
     rows.row(static_cast<Eigen::Index>(k)) << x, y, x * x + y * y;
   }
   return rows.determinant() > 0.0;
-}
-
-void GridTriangulation::flip(const Side& side)
-{
-  const Index cell = side.cell;
-  const std::size_t k = side.k;
-  const Cell old = this->Cells[at(cell)];
-  const Index other = old.across[k];
-  const std::size_t j = this->sideTo(other, cell);
-  const Index a = old.vertices[k];
-  const Index b = old.vertices[next(k)];
-  const Index c = old.vertices[previous(k)];
-  const Index d = this->Cells[at(other)].vertices[j];
-  const Beyond beyondB = this->beyond(cell, next(k));
-  const Beyond beyondC = this->beyond(cell, previous(k));
-  const Beyond otherB = this->beyond(other, previous(j));
-  const Beyond otherC = this->beyond(other, next(j));
-  this->set(cell, { a, b, d }, { otherC, Beyond{ other }, beyondC });
-  this->set(other, { a, d, c }, { otherB, beyondB, Beyond{ cell } });
-}
-
-/// Every flip adds an edge at the vertex, so this ends whatever rounding says of circles.
-void GridTriangulation::legalize(std::vector<Index> cells, Index vertex)
-{
-  while (!cells.empty())
-  {
-    const Index cell = cells.back();
-    cells.pop_back();
-    const auto& v = this->cell(cell);
-    const auto k = static_cast<std::size_t>(std::find(v.begin(), v.end(), vertex) - v.begin());
-    const Side side{ cell, k };
-    if (this->isFlippable(side) && this->isInCircle(side))
-    {
-      const Index other = this->Cells[at(cell)].across[k];
-      this->flip(side);
-      cells.push_back(cell);
-      cells.push_back(other);
-    }
-  }
 }
 
 std::vector<Index> GridTriangulation::cellsAround(Index vertex) const
@@ -306,17 +191,6 @@ std::optional<GridTriangulation::Side> GridTriangulation::sideBetween(Index a, I
     }
   }
   return std::nullopt;
-}
-
-void GridTriangulation::fix(const Side& side)
-{
-  Cell& c = this->Cells[at(side.cell)];
-  c.isFixed[side.k] = true;
-  if (c.across[side.k] != NoIndex)
-  {
-    const std::size_t j = this->sideTo(c.across[side.k], side.cell);
-    this->Cells[at(c.across[side.k])].isFixed[j] = true;
-  }
 }
 
 } // namespace evolving

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string>
 #include <utility>
 
 namespace evolving
@@ -71,6 +72,14 @@ private:
     this->Said.push_back(sentence.str());
   }
 
+  /// Where the edge length is automatic, one that is given would make all triangles alike.
+  std::string smallerTriangles() const
+  {
+    return this->Report.morePoints > 0
+      ? "use a TargetNumberOfPoints of " + std::to_string(this->Report.morePoints)
+      : "use a smaller TargetEdgeLength";
+  }
+
   void sayOfTopology()
   {
     if (!this->Report.isClosed || !this->Report.isManifold)
@@ -81,7 +90,7 @@ private:
     {
       this->say("The result has ", this->Report.selfIntersections,
         " pairs of triangles that intersect, one at (", this->Report.intersectionPlace.transpose(),
-        "); use a smaller TargetEdgeLength.");
+        "); ", this->smallerTriangles(), ".");
     }
   }
 
@@ -98,8 +107,8 @@ private:
                                   : "places thinner than a triangle were lost");
     this->say("The target is one closed surface of genus ", *r.wantedGenus,
       ", the result has genus ", r.genus, " in ", r.components,
-      r.components == 1 ? " part" : " parts", ": ", why,
-      "; use a smaller TargetEdgeLength and more SampleDimensions.");
+      r.components == 1 ? " part" : " parts", ": ", why, "; ", this->smallerTriangles(),
+      " and more SampleDimensions.");
   }
 
   void sayOfElements()
@@ -107,8 +116,8 @@ private:
     if (this->Report.minAngle < QualityFloor)
     {
       this->say("The smallest angle of the result is ", this->Report.minAngle, " degrees, below ",
-        QualityFloor, ", at (", this->Report.minAnglePlace.transpose(),
-        "); use a smaller TargetEdgeLength.");
+        QualityFloor, ", at (", this->Report.minAnglePlace.transpose(), "); ",
+        this->smallerTriangles(), ".");
     }
   }
 
@@ -144,8 +153,8 @@ private:
       this->say("Of the target, ", std::round(100.0 * this->Report.lostPart),
         " % is more than two edge lengths (", this->Far, ") away from the result, some at (",
         this->Report.lostPlace.transpose(),
-        "): it is thinner than a triangle, or in a gap that was closed; use a smaller "
-        "TargetEdgeLength or GapSize.");
+        "): it is thinner than a triangle, or in a gap that was closed; ", this->smallerTriangles(),
+        " or a smaller GapSize.");
     }
   }
 
@@ -156,8 +165,8 @@ private:
     {
       this->say("Of the target's creases, ", creases.length, " long in all, ", creases.missing,
         " are not on edges of the result, some at (", creases.place.transpose(),
-        "): other parts are too near, or the result does not lie on the target there; use a "
-        "smaller TargetEdgeLength, and no OffsetDistance.");
+        "): other parts are too near, or the result does not lie on the target there; ",
+        this->smallerTriangles(), ", and no OffsetDistance.");
     }
     const double all = creases.length + creases.leftOut.length;
     if (creases.leftOut.length > std::max(this->EdgeLength, MissingPart * all))
@@ -165,7 +174,7 @@ private:
       this->say("Of the target's creases, ", all, " long in all, ", creases.leftOut.length,
         " are shorter, or nearer to each other, than triangles of this size can carry and are "
         "rounded, some at (",
-        creases.leftOut.place.transpose(), "); use a smaller TargetEdgeLength.");
+        creases.leftOut.place.transpose(), "); ", this->smallerTriangles(), ".");
     }
   }
 

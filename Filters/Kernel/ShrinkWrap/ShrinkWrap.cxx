@@ -29,6 +29,8 @@ namespace evolving
 namespace
 {
 
+constexpr Index MostPointsToAskFor = 1000000; // the range of the filter's TargetNumberOfPoints
+
 /// In edge lengths, about: positions need no more, for remeshing follows.
 constexpr double SolverTolerance = 1e-6;
 /**
@@ -153,6 +155,7 @@ ShrinkWrapProblem prepareShrinkWrap(const SurfaceMesh& mesh, const ShrinkWrapOpt
   problem.flow = flowFor(*target, options);
   problem.edgeLength = target->edgeLength;
   problem.modelSize = target->modelSize();
+  problem.isEdgeAutomatic = options.targetEdgeLength == 0.0;
   return problem;
 }
 
@@ -174,6 +177,8 @@ SurfaceReport examineWrap(
   report.creases = problem.remesher->creases();
   report.coarse = findCoarseParts(surface);
   report.modelSize = problem.modelSize;
+  report.morePoints =
+    problem.isEdgeAutomatic ? std::min(2 * surface.vertexCount(), MostPointsToAskFor) : 0;
   report.wantedGenus = problem.wantedGenus;
   return report;
 }

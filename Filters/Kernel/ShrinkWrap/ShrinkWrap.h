@@ -38,7 +38,8 @@ struct ShrinkWrapProblem
   FlowOptions flow;                               ///< in absolute units
   std::shared_ptr<const WrapReference> reference; ///< where the result shall lie, exactly
   double edgeLength = 0.0;                        ///< of the result
-  double modelSize = 0.0; ///< the diagonal of the box that the result should fill
+  double modelSize = 0.0;       ///< the diagonal of the box that the result should fill
+  bool isEdgeAutomatic = false; ///< or asked for
   /// That of the target, where the result should have the same: genusToKeep().
   std::optional<Index> wantedGenus;
 };

@@ -44,6 +44,8 @@ struct SurfaceReport
   FeatureCoverage creases;               ///< for who made the surface to say
   CoarseParts coarse;                    ///< likewise
   double modelSize = 0.0;                ///< likewise: the diagonal of its box; 0 = unknown
+  /// Likewise: what to ask for to get clearly smaller triangles; 0 where their size was asked for.
+  Index morePoints = 0;
   /// Likewise: the genus that it should have, in one part; none where that is not known.
   std::optional<Index> wantedGenus;
 };

@@ -67,6 +67,17 @@ TEST(SurfaceReport, SaysWhatIsWrongAndWhere)
   EXPECT_NE(sentences[1].find("membrane"), std::string::npos);
 }
 
+TEST(SurfaceReport, AdvisesWhatIsSet)
+{
+  SurfaceReport report = examine(icosphere(3), fromSphere(1.0));
+  report.minAngle = 5.0;
+  EXPECT_NE(
+    shortcomings(report, 0.15).front().find("a smaller TargetEdgeLength"), std::string::npos);
+  report.morePoints = 1284;
+  EXPECT_NE(
+    shortcomings(report, 0.15).front().find("a TargetNumberOfPoints of 1284"), std::string::npos);
+}
+
 TEST(SurfaceReport, SaysThatASurfaceIsOpenOrRunsThroughItself)
 {
   SurfaceMesh open = icosphere(2);
