@@ -56,17 +56,24 @@ void ExpectClean(vtkPolyData* result)
 }
 
 //------------------------------------------------------------------------------
+/// Of one machined part all edges, and the holes.
+void ExpectAsMachined(vtkPolyData* result, vtkPolyData* part, int genus, double farthest)
+{
+  ExpectClean(result);
+  EXPECT_EQ(GenusOf(result), genus);
+  EXPECT_GT(SmallestAngleOf(result), 35.0);
+  EXPECT_LT(LargestDistance(result, part), farthest);
+  EXPECT_EQ(RaggedLengthOf(result, part), 0.0);
+  EXPECT_NEAR(SharpLengthOf(result), SharpLengthOf(part), 0.01 * SharpLengthOf(part));
+}
+
+//------------------------------------------------------------------------------
 TEST(Images, WrappedClamp)
 {
   const auto clamp = Sample::Read("clamp.obj");
   const auto result = Wrapped(clamp, 3000);
   EXPECT_TRUE(LooksAs("WrappedClamp", result, { 1.0, 1.2, 1.2 }));
-  ExpectClean(result);
-  EXPECT_EQ(GenusOf(result), 2);
-  EXPECT_GT(SmallestAngleOf(result), 35.0);
-  EXPECT_LT(LargestDistance(result, clamp), 0.15);
-  EXPECT_EQ(RaggedLengthOf(result, clamp), 0.0);
-  EXPECT_NEAR(SharpLengthOf(result), SharpLengthOf(clamp), 0.01 * SharpLengthOf(clamp));
+  ExpectAsMachined(result, clamp, 2, 0.15);
 }
 
 //------------------------------------------------------------------------------
@@ -75,12 +82,7 @@ TEST(Images, WrappedPerforatedSheet)
   const auto sheet = Sample::Read("perforated_sheet.obj");
   const auto result = Wrapped(sheet, 0);
   EXPECT_TRUE(LooksAs("WrappedPerforatedSheet", result, { 0.3, -0.5, 1.0 }));
-  ExpectClean(result);
-  EXPECT_EQ(GenusOf(result), 12);
-  EXPECT_GT(SmallestAngleOf(result), 35.0);
-  EXPECT_LT(LargestDistance(result, sheet), 0.035);
-  EXPECT_EQ(RaggedLengthOf(result, sheet), 0.0);
-  EXPECT_NEAR(SharpLengthOf(result), SharpLengthOf(sheet), 0.01 * SharpLengthOf(sheet));
+  ExpectAsMachined(result, sheet, 12, 0.035);
 }
 
 //------------------------------------------------------------------------------
@@ -135,12 +137,7 @@ TEST(Images, WrappedBracket)
   const auto bracket = Sample::Read("bracket.vtk");
   const auto result = Wrapped(bracket, 3000);
   EXPECT_TRUE(LooksAs("WrappedBracket", result, { 0.35, 0.3, 1.0 }));
-  ExpectClean(result);
-  EXPECT_EQ(GenusOf(result), 2);
-  EXPECT_GT(SmallestAngleOf(result), 35.0);
-  EXPECT_LT(LargestDistance(result, bracket), 0.09);
-  EXPECT_EQ(RaggedLengthOf(result, bracket), 0.0);
-  EXPECT_NEAR(SharpLengthOf(result), SharpLengthOf(bracket), 0.01 * SharpLengthOf(bracket));
+  ExpectAsMachined(result, bracket, 2, 0.09);
 }
 
 } // namespace

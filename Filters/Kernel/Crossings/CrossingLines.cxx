@@ -3,8 +3,9 @@
 
 #include "Crossings/CrossingLines.h"
 
+#include "Crossings/PlaneCrossing.h"
+
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace evolving
@@ -196,11 +197,7 @@ Vec3 CrossingLines::onSegment(Index segment, Index triangle) const
 {
   const Vec3& p = this->end(segment, 0);
   const Vec3& q = this->end(segment, 1);
-  const Vec3 normal = faceVectorArea(this->Mesh, triangle).stableNormalized();
-  const Vec3& origin = this->Mesh.facePoint(triangle, 0);
-  const double below = std::abs(normal.dot(p - origin));
-  const double above = std::abs(normal.dot(q - origin));
-  return p + (below + above > 0.0 ? below / (below + above) : 0.5) * (q - p);
+  return p + placeAtPlane(this->Mesh, triangle, p, q) * (q - p);
 }
 
 std::vector<Index> CrossingLines::pointsAlong(Index segment) const

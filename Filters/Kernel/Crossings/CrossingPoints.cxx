@@ -4,6 +4,7 @@
 #include "Crossings/CrossingPoints.h"
 
 #include "Crossings/GridPoint.h"
+#include "Crossings/PlaneCrossing.h"
 #include "Mesh/Orientation.h"
 #include "ParallelLoops.h"
 
@@ -117,11 +118,7 @@ CrossingPoint placed(const SurfaceMesh& mesh, const TriangleEdges& edges, const 
     std::minmax({ mesh.faceVertex(face, corner % 3), mesh.faceVertex(face, (corner % 3 + 1) % 3) });
   const Vec3& p = mesh.points[at(low)];
   const Vec3& q = mesh.points[at(high)];
-  const Vec3 normal = faceVectorArea(mesh, triangle).stableNormalized();
-  const Vec3& origin = mesh.facePoint(triangle, 0);
-  const double below = std::abs(normal.dot(p - origin));
-  const double above = std::abs(normal.dot(q - origin));
-  const double part = below + above > 0.0 ? below / (below + above) : 0.5;
+  const double part = placeAtPlane(mesh, triangle, p, q);
   const auto along = static_cast<std::int64_t>(std::llround(part * double(GridPoint::Unit)));
   return { edge, triangle, std::clamp<std::int64_t>(along, 1, GridPoint::Unit - 1),
     p + part * (q - p) };

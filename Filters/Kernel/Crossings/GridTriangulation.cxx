@@ -9,21 +9,6 @@
 namespace evolving
 {
 
-namespace
-{
-
-std::size_t next(std::size_t k)
-{
-  return (k + 1) % 3;
-}
-
-std::size_t previous(std::size_t k)
-{
-  return (k + 2) % 3;
-}
-
-} // namespace
-
 GridTriangulation::GridTriangulation()
   : Points({ { 0, 0 }, { GridPoint::Unit, 0 }, { 0, GridPoint::Unit } })
   , CellOf(3, 0)
@@ -42,7 +27,8 @@ bool GridTriangulation::contains(Index cell, const GridPoint& point) const
   const auto& v = this->Cells[at(cell)].vertices;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    if (gridOrientation(this->Points[at(v[next(k)])], this->Points[at(v[previous(k)])], point) < 0)
+    if (gridOrientation(
+          this->Points[at(v[nextInCell(k)])], this->Points[at(v[previousInCell(k)])], point) < 0)
     {
       return false;
     }
@@ -59,8 +45,8 @@ Index GridTriangulation::cellAt(const GridPoint& point) const
     const Cell& c = this->Cells[at(cell)];
     std::size_t k = 0;
     while (k < 3 &&
-      gridOrientation(this->Points[at(c.vertices[next(k)])],
-        this->Points[at(c.vertices[previous(k)])], point) >= 0)
+      gridOrientation(this->Points[at(c.vertices[nextInCell(k)])],
+        this->Points[at(c.vertices[previousInCell(k)])], point) >= 0)
     {
       ++k;
     }
@@ -100,8 +86,8 @@ Index GridTriangulation::insert(const GridPoint& point)
     {
       return v[k];
     }
-    const GridPoint& begin = this->Points[at(v[next(k)])];
-    const GridPoint& end = this->Points[at(v[previous(k)])];
+    const GridPoint& begin = this->Points[at(v[nextInCell(k)])];
+    const GridPoint& end = this->Points[at(v[previousInCell(k)])];
     touched = gridOrientation(begin, end, point) == 0 ? k : touched;
   }
   const Index vertex = this->vertexCount();
@@ -134,8 +120,8 @@ bool GridTriangulation::isFlippable(const Side& side) const
   }
   const Index a = c.vertices[side.k];
   const Index d = this->opposite(side);
-  return this->orientation(a, c.vertices[next(side.k)], d) > 0 &&
-    this->orientation(a, d, c.vertices[previous(side.k)]) > 0;
+  return this->orientation(a, c.vertices[nextInCell(side.k)], d) > 0 &&
+    this->orientation(a, d, c.vertices[previousInCell(side.k)]) > 0;
 }
 
 bool GridTriangulation::isInCircle(const Side& side) const
@@ -168,9 +154,9 @@ std::vector<Index> GridTriangulation::cellsAround(Index vertex) const
     } while (cell != NoIndex && cell != first);
     return cell == first;
   };
-  if (!walk(next))
+  if (!walk(nextInCell))
   {
-    walk(previous);
+    walk(previousInCell);
   }
   return cells;
 }
@@ -182,8 +168,8 @@ std::optional<GridTriangulation::Side> GridTriangulation::sideBetween(Index a, I
     const auto& v = this->cell(cell);
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const Index begin = v[next(k)];
-      const Index end = v[previous(k)];
+      const Index begin = v[nextInCell(k)];
+      const Index end = v[previousInCell(k)];
       if ((begin == a && end == b) || (begin == b && end == a))
       {
         return Side{ cell, k };

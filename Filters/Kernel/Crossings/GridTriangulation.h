@@ -20,6 +20,18 @@
 namespace evolving
 {
 
+///@{
+/// The corners of a cell, or the sides opposite to them, in their order.
+constexpr std::size_t nextInCell(std::size_t k)
+{
+  return (k + 1) % 3;
+}
+constexpr std::size_t previousInCell(std::size_t k)
+{
+  return (k + 2) % 3;
+}
+///@}
+
 /**
  * Delaunay's in the grid's coordinates, but for sides that are fixed: points are inserted one by
  * one, with flips (Lawson 1977). Vertices 0, 1 and 2 are the corners.

@@ -8,21 +8,6 @@
 namespace evolving
 {
 
-namespace
-{
-
-std::size_t next(std::size_t k)
-{
-  return (k + 1) % 3;
-}
-
-std::size_t previous(std::size_t k)
-{
-  return (k + 2) % 3;
-}
-
-} // namespace
-
 void GridTriangulation::set(
   Index cell, const std::array<Index, 3>& vertices, const std::array<Beyond, 3>& beyond)
 {
@@ -40,8 +25,8 @@ void GridTriangulation::set(
     Cell& other = this->Cells[at(beyond[k].cell)];
     for (std::size_t j = 0; j < 3; ++j)
     {
-      if (other.vertices[next(j)] == vertices[previous(k)] &&
-        other.vertices[previous(j)] == vertices[next(k)])
+      if (other.vertices[nextInCell(j)] == vertices[previousInCell(k)] &&
+        other.vertices[previousInCell(j)] == vertices[nextInCell(k)])
       {
         other.across[j] = cell;
       }
@@ -73,12 +58,12 @@ void GridTriangulation::splitSide(Index cell, std::size_t k, Index vertex)
 {
   const Cell old = this->Cells[at(cell)];
   const Index a = old.vertices[k];
-  const Index b = old.vertices[next(k)];
-  const Index c = old.vertices[previous(k)];
+  const Index b = old.vertices[nextInCell(k)];
+  const Index c = old.vertices[previousInCell(k)];
   const Index other = old.across[k];
   const bool isFixed = old.isFixed[k];
-  const Beyond beyondB = this->beyond(cell, next(k));
-  const Beyond beyondC = this->beyond(cell, previous(k));
+  const Beyond beyondB = this->beyond(cell, nextInCell(k));
+  const Beyond beyondC = this->beyond(cell, previousInCell(k));
   const Index second = this->addCell();
   if (other == NoIndex)
   {
@@ -89,8 +74,8 @@ void GridTriangulation::splitSide(Index cell, std::size_t k, Index vertex)
   }
   const std::size_t j = this->sideTo(other, cell);
   const Index d = this->Cells[at(other)].vertices[j];
-  const Beyond otherB = this->beyond(other, previous(j)); // its vertices are d, c, b
-  const Beyond otherC = this->beyond(other, next(j));
+  const Beyond otherB = this->beyond(other, previousInCell(j)); // its vertices are d, c, b
+  const Beyond otherC = this->beyond(other, nextInCell(j));
   const Index fourth = this->addCell();
   this->set(cell, { a, b, vertex }, { Beyond{ other, isFixed }, Beyond{ second }, beyondC });
   this->set(second, { a, vertex, c }, { Beyond{ fourth, isFixed }, beyondB, Beyond{ cell } });
@@ -107,13 +92,13 @@ void GridTriangulation::flip(const Side& side)
   const Index other = old.across[k];
   const std::size_t j = this->sideTo(other, cell);
   const Index a = old.vertices[k];
-  const Index b = old.vertices[next(k)];
-  const Index c = old.vertices[previous(k)];
+  const Index b = old.vertices[nextInCell(k)];
+  const Index c = old.vertices[previousInCell(k)];
   const Index d = this->Cells[at(other)].vertices[j];
-  const Beyond beyondB = this->beyond(cell, next(k));
-  const Beyond beyondC = this->beyond(cell, previous(k));
-  const Beyond otherB = this->beyond(other, previous(j));
-  const Beyond otherC = this->beyond(other, next(j));
+  const Beyond beyondB = this->beyond(cell, nextInCell(k));
+  const Beyond beyondC = this->beyond(cell, previousInCell(k));
+  const Beyond otherB = this->beyond(other, previousInCell(j));
+  const Beyond otherC = this->beyond(other, nextInCell(j));
   this->set(cell, { a, b, d }, { otherC, Beyond{ other }, beyondC });
   this->set(other, { a, d, c }, { otherB, beyondB, Beyond{ cell } });
 }

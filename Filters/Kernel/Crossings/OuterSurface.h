@@ -21,7 +21,7 @@ namespace evolving
  * The triangles cut along the lines where they cross, without what lies inside closed parts: of
  * closed parts their union, whose creases are edges. Open parts that are a soup, each triangle in
  * many others, are not cut by each other. Parts that meet are moved by less than a
- * millionth of the diagonal, so that contacts are crossings (SeparatedParts.h).
+ * millionth of the diagonal, so that contacts are crossings (GrownParts.h).
  * @param surface triangles, welded
  * @return none where nothing crosses, or so much that it would take minutes to cut
  * @throws InputError when a coordinate is not finite. @throws Cancelled

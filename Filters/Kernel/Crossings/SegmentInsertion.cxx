@@ -61,8 +61,8 @@ private:
     {
       const auto& v = this->Cells.cell(cell);
       const std::size_t k = placeOf(v, this->From);
-      const Index right = v[(k + 1) % 3];
-      const Index left = v[(k + 2) % 3];
+      const Index right = v[nextInCell(k)];
+      const Index left = v[previousInCell(k)];
       for (const Index vertex : { right, left })
       {
         if (this->Cells.orientation(this->From, this->To, vertex) == 0 &&
@@ -93,8 +93,8 @@ private:
         return false;
       }
       const auto& v = this->Cells.cell(side.cell);
-      const Index right = v[(side.k + 1) % 3];
-      const Index left = v[(side.k + 2) % 3];
+      const Index right = v[nextInCell(side.k)];
+      const Index left = v[previousInCell(side.k)];
       this->Crossed.push_back({ right, left });
       const Index ahead = this->Cells.opposite(side);
       const int turn = this->Cells.orientation(this->From, this->To, ahead);

@@ -3,12 +3,13 @@
 
 #include "Crossings/SolidSheets.h"
 
-#include "Crossings/SeparateSheets.h"
+#include "Crossings/SeparateSolids.h"
 #include "Distance/Signs/OutwardOrientation.h"
 #include "Mesh/SelfIntersections.h"
 #include "Mesh/SurfaceParts.h"
 #include "Mesh/TriangleEdges.h"
 #include "Mesh/VertexNormals.h"
+#include "Trees/TriangleGeometry.h"
 
 #include <algorithm>
 #include <vector>
@@ -43,10 +44,7 @@ public:
     std::vector<double> sheetArea(this->Parts.list.size(), 0.0);
     for (Index f = 0; f < this->Surface.faceCount(); ++f)
     {
-      const Vec3 middle = (this->Surface.facePoint(f, 0) + this->Surface.facePoint(f, 1) +
-                            this->Surface.facePoint(f, 2)) /
-        3.0;
-      if (this->isSolid(f) && isSheet(middle))
+      if (this->isSolid(f) && isSheet(triangleOf(this->Surface, f).centroid()))
       {
         sheetArea[at(this->partOf(f))] += faceVectorArea(this->Surface, f).norm();
       }
@@ -181,7 +179,7 @@ private:
 std::optional<SurfaceMesh> solidSheets(const SurfaceMesh& surface,
   const std::function<bool(const Vec3&)>& isSheet, double half, const Execution& execution)
 {
-  SurfaceMesh apart = separateSheets(surface);
+  SurfaceMesh apart = separateSolids(surface);
   orientOutwards(apart);
   Solids solids(apart, half);
   solids.leavePartlySheet(isSheet);

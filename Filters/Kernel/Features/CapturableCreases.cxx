@@ -4,6 +4,7 @@
 #include "Features/CapturableCreases.h"
 
 #include "Features/DistinctCreases.h"
+#include "Trees/TriangleGeometry.h"
 
 #include <algorithm>
 
@@ -45,8 +46,7 @@ std::vector<char> excludedTriangles(const TargetTriangles& target, const Feature
   std::vector<char> isExcluded(at(mesh.faceCount()), 0);
   for (Index f = 0; options.isExcluded && f < mesh.faceCount(); ++f)
   {
-    const Vec3 middle = (mesh.facePoint(f, 0) + mesh.facePoint(f, 1) + mesh.facePoint(f, 2)) / 3.0;
-    isExcluded[at(f)] = options.isExcluded(middle);
+    isExcluded[at(f)] = options.isExcluded(triangleOf(mesh, f).centroid());
   }
   return isExcluded;
 }

@@ -59,7 +59,7 @@ double SheetOpenness::at(Index triangle, const Vec3& point) const
   const Triangle& t = this->Tree.triangle(triangle);
   const double radius = this->Region.radius();
   const Vec3 normal = t.doubleAreaNormal().stableNormalized();
-  const Vec3 inwards = (t.corners[0] + t.corners[1] + t.corners[2]) / 3.0 - point;
+  const Vec3 inwards = t.centroid() - point;
   const double way = inwards.norm();
   const Vec3 place = way > InnerRadii * radius ? Vec3(point + InnerRadii * radius / way * inwards)
                                                : Vec3(point + inwards);

@@ -26,6 +26,7 @@ struct Triangle
 
   /// Twice the area times the unit normal; zero for a segment or a point.
   Vec3 doubleAreaNormal() const;
+  Vec3 centroid() const { return (this->corners[0] + this->corners[1] + this->corners[2]) / 3.0; }
   Box box() const;
 };
 

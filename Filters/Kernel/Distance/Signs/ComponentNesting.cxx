@@ -4,6 +4,7 @@
 #include "Distance/Signs/ComponentNesting.h"
 
 #include "Trees/AABBTree.h"
+#include "Trees/TriangleGeometry.h"
 
 #include <algorithm>
 #include <map>
@@ -47,8 +48,7 @@ double sixfoldVolume(const SurfaceMesh& mesh, Index face, const Vec3& apex)
 std::map<Index, int> crossings(const SurfaceMesh& mesh, const AABBTree& tree,
   const std::vector<Index>& componentOfFace, Index face)
 {
-  const Vec3 start =
-    (mesh.facePoint(face, 0) + mesh.facePoint(face, 1) + mesh.facePoint(face, 2)) / 3.0;
+  const Vec3 start = triangleOf(mesh, face).centroid();
   const Vec3 direction(0.6180339, 0.2876543, 0.7318642); // along no edge anybody models
   std::map<Index, int> count;
   for (const RayHit& hit : tree.hits(Ray(start, direction)))

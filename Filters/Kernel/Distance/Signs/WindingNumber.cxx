@@ -16,11 +16,6 @@ namespace
 
 constexpr double FourPi = 4.0 * Pi;
 
-Vec3 centroid(const Triangle& triangle)
-{
-  return (triangle.corners[0] + triangle.corners[1] + triangle.corners[2]) / 3.0;
-}
-
 /// Sorts the triangles so that those before `middle` lie before the others along the longest
 /// axis of their centroids' box.
 void splitAtMedian(std::vector<Triangle>& triangles, Index begin, Index middle, Index end)
@@ -28,12 +23,13 @@ void splitAtMedian(std::vector<Triangle>& triangles, Index begin, Index middle, 
   Box box;
   for (Index i = begin; i < end; ++i)
   {
-    box.extend(centroid(triangles[static_cast<std::size_t>(i)]));
+    box.extend(triangles[static_cast<std::size_t>(i)].centroid());
   }
   int axis = 0;
   box.sizes().maxCoeff(&axis);
   std::nth_element(triangles.begin() + begin, triangles.begin() + middle, triangles.begin() + end,
-    [axis](const Triangle& a, const Triangle& b) { return centroid(a)[axis] < centroid(b)[axis]; });
+    [axis](const Triangle& a, const Triangle& b)
+    { return a.centroid()[axis] < b.centroid()[axis]; });
 }
 
 } // namespace
@@ -165,8 +161,8 @@ void WindingNumber::fillMoments(Node& node) const
   for (auto triangle = first; triangle != last; ++triangle)
   {
     const double area = 0.5 * triangle->doubleAreaNormal().norm();
-    weighted += area * centroid(*triangle);
-    plain += centroid(*triangle);
+    weighted += area * triangle->centroid();
+    plain += triangle->centroid();
     total += area;
   }
   node.center = total > 0.0 ? Vec3(weighted / total) : Vec3(plain / (node.end - node.begin));
@@ -175,7 +171,7 @@ void WindingNumber::fillMoments(Node& node) const
   for (auto triangle = first; triangle != last; ++triangle)
   {
     const Vec3 area = 0.5 * triangle->doubleAreaNormal();
-    const Vec3 middle = centroid(*triangle) - node.center;
+    const Vec3 middle = triangle->centroid() - node.center;
     Matrix products = 9.0 * middle * middle.transpose();
     for (const Vec3& corner : triangle->corners)
     {

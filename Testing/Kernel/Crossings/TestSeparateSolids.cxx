@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Crossings/SeparateSheets.h"
+#include "Crossings/SeparateSolids.h"
 
 #include "Mesh/SurfaceParts.h"
 #include "Mesh/TopologySummary.h"
@@ -33,20 +33,20 @@ void expectSolids(const SurfaceMesh& apart, std::size_t count)
 
 } // namespace
 
-TEST(SeparateSheets, OfAManifoldIsItself)
+TEST(SeparateSolids, OfAManifoldIsItself)
 {
   const SurfaceMesh mesh = cube(Vec3::Zero());
-  const SurfaceMesh apart = separateSheets(mesh);
+  const SurfaceMesh apart = separateSolids(mesh);
   EXPECT_EQ(apart.faceCount(), mesh.faceCount());
   EXPECT_EQ(apart.vertexCount(), mesh.vertexCount());
   expectSolids(apart, 1);
 }
 
-TEST(SeparateSheets, KeepsTrianglesAndTheirOrder)
+TEST(SeparateSolids, KeepsTrianglesAndTheirOrder)
 {
   const SurfaceMesh mesh =
     weldCoincidentPoints(shapes::merged(cube(Vec3::Zero()), cube({ 1, 1, 0 })));
-  const SurfaceMesh apart = separateSheets(mesh);
+  const SurfaceMesh apart = separateSolids(mesh);
   ASSERT_EQ(apart.faceCount(), mesh.faceCount());
   for (Index face = 0; face < mesh.faceCount(); ++face)
   {
@@ -57,7 +57,7 @@ TEST(SeparateSheets, KeepsTrianglesAndTheirOrder)
   }
 }
 
-TEST(SeparateSheets, TakesSolidsApartThatShareACornerAnEdgeOrAFace)
+TEST(SeparateSolids, TakesSolidsApartThatShareACornerAnEdgeOrAFace)
 {
   std::mt19937 generator(5);
   for (const Vec3& step : { Vec3(1, 1, 1), Vec3(1, 1, 0), Vec3(1, 0, 0) })
@@ -65,21 +65,21 @@ TEST(SeparateSheets, TakesSolidsApartThatShareACornerAnEdgeOrAFace)
     const SurfaceMesh two = shapes::merged(cube(Vec3::Zero()), cube(step));
     const SurfaceMesh mesh = weldCoincidentPoints(shapes::shuffled(two, generator));
     EXPECT_LT(mesh.vertexCount(), 16);
-    expectSolids(separateSheets(mesh), 2);
+    expectSolids(separateSolids(mesh), 2);
   }
 }
 
-TEST(SeparateSheets, TakesFourSolidsAroundAnEdgeApart)
+TEST(SeparateSolids, TakesFourSolidsAroundAnEdgeApart)
 {
   SurfaceMesh four;
   for (const Vec3& low : { Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 0) })
   {
     four = shapes::merged(four, cube(low));
   }
-  expectSolids(separateSheets(weldCoincidentPoints(four)), 4);
+  expectSolids(separateSolids(weldCoincidentPoints(four)), 4);
 }
 
-TEST(SeparateSheets, LeavesEdgesWithASheetTogether)
+TEST(SeparateSolids, LeavesEdgesWithASheetTogether)
 {
   // A sheet that stands on an edge of a cube: three faces.
   SurfaceMesh mesh = cube(Vec3::Zero());
@@ -94,7 +94,7 @@ TEST(SeparateSheets, LeavesEdgesWithASheetTogether)
   }
   mesh.addFace({ a, b, top });
   mesh.addFace({ b, above, top });
-  const SurfaceMesh apart = separateSheets(mesh);
+  const SurfaceMesh apart = separateSolids(mesh);
   EXPECT_EQ(summarizeTopology(apart).nonManifoldEdges, 1);
   EXPECT_EQ(surfaceParts(apart).list.size(), 1U);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Crossings/SeparateSheets.h"
+#include "Crossings/SeparateSolids.h"
 
 #include "Mesh/DisjointSets.h"
 #include "Mesh/Orthogonal.h"
@@ -33,13 +33,13 @@ struct Leaf
   auto order() const { return std::make_tuple(this->angle, !this->runsUpwards, this->corner); }
 };
 
-class Sheets
+class Corners
 {
 public:
-  explicit Sheets(const SurfaceMesh& mesh)
+  explicit Corners(const SurfaceMesh& mesh)
     : Mesh(mesh)
     , Edges(mesh)
-    , Corners(at(mesh.cornerCount()))
+    , Classes(at(mesh.cornerCount()))
   {
     for (Index edge = 0; edge < this->Edges.edgeCount(); ++edge)
     {
@@ -56,7 +56,7 @@ public:
       std::array<Index, 3> vertices{};
       for (Index k = 0; k < 3; ++k)
       {
-        Index& vertex = newVertex[at(this->Corners.find(3 * face + k))];
+        Index& vertex = newVertex[at(this->Classes.find(3 * face + k))];
         vertex = vertex == NoIndex ? apart.addPoint(this->Mesh.facePoint(face, k)) : vertex;
         vertices[at(k)] = vertex;
       }
@@ -73,8 +73,8 @@ private:
     const Index nextOfB = TriangleEdges::nextCorner(b);
     const bool isSameWay =
       TriangleEdges::runsUpwards(this->Mesh, a) == TriangleEdges::runsUpwards(this->Mesh, b);
-    this->Corners.join(a, isSameWay ? b : nextOfB);
-    this->Corners.join(nextOfA, isSameWay ? nextOfB : b);
+    this->Classes.join(a, isSameWay ? b : nextOfB);
+    this->Classes.join(nextOfA, isSameWay ? nextOfB : b);
   }
 
   void joinAt(Index edge)
@@ -150,14 +150,14 @@ private:
 
   const SurfaceMesh& Mesh;
   TriangleEdges Edges;
-  DisjointSets Corners;
+  DisjointSets Classes; ///< of corners that are one vertex
 };
 
 } // namespace
 
-SurfaceMesh separateSheets(const SurfaceMesh& surface)
+SurfaceMesh separateSolids(const SurfaceMesh& surface)
 {
-  return Sheets(surface).separated();
+  return Corners(surface).separated();
 }
 
 } // namespace evolving

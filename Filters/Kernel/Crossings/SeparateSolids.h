@@ -6,8 +6,8 @@
  * Parts that share points or edges, taken apart.
  */
 
-#ifndef EVOLVING_SEPARATE_SHEETS_H
-#define EVOLVING_SEPARATE_SHEETS_H
+#ifndef EVOLVING_SEPARATE_SOLIDS_H
+#define EVOLVING_SEPARATE_SOLIDS_H
 
 #include "Mesh/SurfaceMesh.h"
 
@@ -21,7 +21,7 @@ namespace evolving
  * number of faces stay.
  * @param surface triangles, welded
  */
-SurfaceMesh separateSheets(const SurfaceMesh& surface);
+SurfaceMesh separateSolids(const SurfaceMesh& surface);
 
 } // namespace evolving
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Crossings/SeparatedParts.h"
+#include "Crossings/GrownParts.h"
 
 #include "Mesh/VertexNormals.h"
 
@@ -45,7 +45,7 @@ Vec3 shakeOf(Index vertex)
 
 } // namespace
 
-std::vector<Vec3> separatedPoints(
+std::vector<Vec3> grownPoints(
   const SurfaceMesh& mesh, const SurfaceParts& parts, const std::vector<IndexPair>& pairs)
 {
   std::vector<char> meets(parts.list.size(), 0);

@@ -6,8 +6,8 @@
  * Parts that touch, moved so that they cross.
  */
 
-#ifndef EVOLVING_SEPARATED_PARTS_H
-#define EVOLVING_SEPARATED_PARTS_H
+#ifndef EVOLVING_GROWN_PARTS_H
+#define EVOLVING_GROWN_PARTS_H
 
 #include "Mesh/BoxPairs.h"
 #include "Mesh/SurfaceMesh.h"
@@ -24,7 +24,7 @@ namespace evolving
  * @param mesh triangles, outwards where closed
  * @param pairs of triangles that meet
  */
-std::vector<Vec3> separatedPoints(
+std::vector<Vec3> grownPoints(
   const SurfaceMesh& mesh, const SurfaceParts& parts, const std::vector<IndexPair>& pairs);
 
 } // namespace evolving

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Crossings/SeparatedParts.h"
+#include "Crossings/GrownParts.h"
 
 #include "Mesh/SelfIntersections.h"
 #include "Shapes/MeshVariants.h"
@@ -17,19 +17,19 @@ using namespace evolving;
 namespace
 {
 
-std::vector<Vec3> separated(const SurfaceMesh& mesh)
+std::vector<Vec3> grown(const SurfaceMesh& mesh)
 {
-  return separatedPoints(mesh, surfaceParts(mesh), selfIntersections(mesh));
+  return grownPoints(mesh, surfaceParts(mesh), selfIntersections(mesh));
 }
 
 } // namespace
 
-TEST(SeparatedParts, MoveOutwardsByLessThanAMillionth)
+TEST(GrownParts, MoveOutwardsByLessThanAMillionth)
 {
   const SurfaceMesh mesh =
     shapes::merged(shapes::box(Vec3::Zero(), Vec3::Ones()), shapes::box({ 1, 0, 0 }, { 2, 1, 1 }));
   const double diagonal = boundingBox(mesh).diagonal().norm();
-  const std::vector<Vec3> points = separated(mesh);
+  const std::vector<Vec3> points = grown(mesh);
   for (std::size_t v = 0; v < points.size(); ++v)
   {
     const Vec3 middle = v < 8 ? Vec3(0.5, 0.5, 0.5) : Vec3(1.5, 0.5, 0.5);
@@ -39,18 +39,18 @@ TEST(SeparatedParts, MoveOutwardsByLessThanAMillionth)
   }
 }
 
-TEST(SeparatedParts, ThatMeetNothingStay)
+TEST(GrownParts, ThatMeetNothingStay)
 {
   const SurfaceMesh apart =
     shapes::merged(shapes::box(Vec3::Zero(), Vec3::Ones()), shapes::box({ 3, 0, 0 }, { 4, 1, 1 }));
-  EXPECT_EQ(separated(apart), apart.points);
+  EXPECT_EQ(grown(apart), apart.points);
 }
 
-TEST(SeparatedParts, OpenOnesStay)
+TEST(GrownParts, OpenOnesStay)
 {
   const SurfaceMesh sheet = shapes::transformed(shapes::sheet(2, true), 1.0, { -0.5, 0, 1 });
   const SurfaceMesh mesh = shapes::merged(sheet, shapes::box(Vec3::Zero(), Vec3::Ones()));
-  const std::vector<Vec3> points = separated(mesh);
+  const std::vector<Vec3> points = grown(mesh);
   EXPECT_TRUE(std::equal(sheet.points.begin(), sheet.points.end(), points.begin()));
   EXPECT_NE(points, mesh.points);
 }
