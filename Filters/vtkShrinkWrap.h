@@ -13,9 +13,9 @@
  * vertices find ridges, the worst triangles are improved, and triangles are fitted to the input by
  * least squares. The orientation of the input is never trusted. Sheets that can be reached from
  * both sides become thin closed walls, about an edge length thick; their rims are sharp edges where
- * those are kept (PreserveFeatures) and no TargetEdgeLength is asked for. Parts that run through each other, or touch, become one
- * surface; where they cross is a sharp edge as any other. (Parts that meet are moved by less than a
- * millionth of the diagonal for that.)
+ * those are kept (PreserveFeatures) and no TargetEdgeLength is asked for. Parts that run through
+ * each other, or touch, become one surface; where they cross is a sharp edge as any other. (Parts
+ * that meet are moved by less than a millionth of the diagonal for that.)
  *
  * Faces of fewer than three corners, and faces and points whose coordinates are not finite, are
  * left out; a warning counts them, and so does Shortcomings.
@@ -167,8 +167,11 @@ public:
    * OffsetDistance, and at sheets that become walls.
    * AUTOMATIC, the default, does so on those connected parts of the input whose sharp edges are
    * creases, as of a machined part: more than half of their length folds over six times as much as
-   * the other edges beside it. On scans and coarse models of smooth things it does not. ON does so
-   * everywhere, OFF nowhere.
+   * the other edges beside it. On scans and models of smooth things it does not; but parts made of
+   * large facets, edges that fold by two thirds of FeatureAngle being three times as long as those
+   * of the result, get the edges of their facets. Triangles come first: what would leave them
+   * angles below 36 degrees is rounded. ON keeps all sharp edges and, for them, angles down to 22
+   * degrees. OFF keeps none.
    */
   vtkSetClampMacro(PreserveFeatures, int, OFF, AUTOMATIC);
   vtkGetMacro(PreserveFeatures, int);

@@ -107,9 +107,9 @@ WrapCase features()
     {
       ofFinish("passesBeforeCapture", &FinishTuning::passesBeforeCapture, { 2, 10 }),
       ofFinish("capturePasses", &FinishTuning::capturePasses, { 8, 24 }),
-      ofFinish("leastFeatureAngle", &FinishTuning::leastFeatureAngle, { 25.0, 35.0 }),
+      ofFinish("leastFeatureAngle", &FinishTuning::leastFeatureAngle, { 15.0, 30.0 }),
       ofFinish("releaseRounds", &FinishTuning::releaseRounds, { 1, 5 }),
-      ofFinish("releasePasses", &FinishTuning::releasePasses, { 1, 4 }),
+      ofFinish("recoveringPasses", &FinishTuning::recoveringPasses, { 1, 4 }),
       ofFinish("reachSizes", &FinishTuning::reachSizes, { 1.0, 4.0 }),
     } };
 }

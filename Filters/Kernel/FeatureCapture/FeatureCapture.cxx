@@ -3,6 +3,7 @@
 
 #include "FeatureCapture/FeatureCapture.h"
 
+#include "FeatureCapture/CornerEdges.h"
 #include "FeatureCapture/FaceLabels.h"
 #include "FeatureCapture/FeatureReference.h"
 #include "FeatureCapture/LabelSplitting.h"
@@ -96,14 +97,17 @@ private:
     this->Surface.forEachOutgoing(v,
       [&](Index e)
       { toTaker = this->Vertices.corner(this->Surface.to(e)) == meeting ? e : toTaker; });
-    if (toTaker == NoIndex)
+    if (toTaker != NoIndex)
+    {
+      if (this->Surface.canCollapse(toTaker))
+      {
+        this->Surface.collapse(toTaker);
+      }
+    }
+    else if (!this->Vertices.isTaken(meeting))
     {
       this->Surface.setPoint(v, place);
       this->Vertices.setCorner(v, meeting);
-    }
-    else if (this->Surface.canCollapse(toTaker))
-    {
-      this->Surface.collapse(toTaker);
     }
   }
 
@@ -198,6 +202,7 @@ void captureFeatures(
   execution.report(0.25);
   splitLabelChanges(surface, features, labels);
   execution.report(0.5);
+  joinCorners(surface, features, labels);
   labelFaces(surface, features, labels);
   execution.report(0.75);
   Capture(surface, features, labels).run();

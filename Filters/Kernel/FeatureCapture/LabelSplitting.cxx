@@ -22,7 +22,8 @@ constexpr double ShortestSizes = 0.02;
 constexpr double CrossingSizes = 0.1;
 /// Where four labels meet, splits of what splits have made would go on for ever: an edge stays
 /// whole when the generations of its two ends sum to this (0 for vertices that were there before).
-constexpr int MostSplits = 2;
+/// A face with three labels needs a third one where the second was between its first and a corner.
+constexpr int MostSplits = 3;
 /// A change of labels is found to this power of 1/2, in lengths of the edge: finer than
 /// ShortestSizes by far.
 constexpr int Bisections = 12;

@@ -14,6 +14,7 @@
 #include "Features/TargetFeatures.h"
 #include "Remeshing/EditableSurface.h"
 
+#include <unordered_set>
 #include <vector>
 
 namespace evolving
@@ -38,7 +39,13 @@ public:
 
   /// The vertex of the target that a vertex has been put on; NoIndex for most.
   Index corner(Index v) const { return this->Corners[at(v)]; }
-  void setCorner(Index v, Index targetVertex) { this->Corners[at(v)] = targetVertex; }
+  void setCorner(Index v, Index targetVertex)
+  {
+    this->Corners[at(v)] = targetVertex;
+    this->Taken.insert(targetVertex);
+  }
+  /// Has a vertex been put on a vertex of the target?
+  bool isTaken(Index targetVertex) const { return this->Taken.count(targetVertex) > 0; }
   /// Neither held nor on a corner.
   bool mayMove(const EditableSurface& surface, Index v) const;
 
@@ -48,6 +55,7 @@ private:
 
   std::vector<Labels> Sets;
   std::vector<Index> Corners;
+  std::unordered_set<Index> Taken; ///< all corners
 };
 
 } // namespace evolving

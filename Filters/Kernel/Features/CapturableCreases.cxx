@@ -4,6 +4,7 @@
 #include "Features/CapturableCreases.h"
 
 #include "Features/DistinctCreases.h"
+#include "Features/FacetedParts.h"
 #include "Trees/TriangleGeometry.h"
 
 #include <algorithm>
@@ -13,6 +14,10 @@ namespace evolving
 
 namespace
 {
+
+/// Over that of creases: facets fold less than the sides of a machined part, and a ridge of 30
+/// degrees is seen.
+constexpr double FacetAngle = 2.0 / 3.0;
 
 /// Leaves out the sharp edges of triangles that are excluded.
 void exclude(const TargetTriangles& target, const std::vector<char>& isExcluded, SharpEdges& sharp)
@@ -74,6 +79,10 @@ SharpEdges capturableCreases(const TargetTriangles& target, const FeatureOptions
   if (options.onlyDistinct)
   {
     keepDistinctCreases(target, sharp);
+    if (options.facetLength > 0.0)
+    {
+      takeFacetEdges(target, sharp, FacetAngle * options.angle, options.facetLength);
+    }
   }
   const std::vector<Index> all = sharp.list();
   exclude(target, isExcluded, sharp);

@@ -30,6 +30,9 @@ struct FeatureOptions
   double edgeLength = 0.0;
   /// Are parts without creases, but with folds, left alone? See keepDistinctCreases().
   bool onlyDistinct = false;
+  /// Then parts are faceted, and have their edges, where these are so long on average, in the
+  /// target's unit; see takeFacetEdges(). 0: none are.
+  double facetLength = 0.0;
   /// Do edges of one face count as sharp? They have one label.
   bool withBoundary = false;
   /// Where the surface is not wanted with its creases; by the middles of its triangles. May be
@@ -52,7 +55,8 @@ std::vector<char> excludedTriangles(const TargetTriangles& target, const Feature
 
 /**
  * The sharp edges of a target, without those that do not stand out, where only distinct ones are
- * wanted, and without those beside excluded triangles; however small elements have to be for them.
+ * wanted, but for those of faceted parts, and without those beside excluded triangles; however
+ * small elements have to be for them.
  * @param[out] excluded these last
  * @throws Cancelled
  */

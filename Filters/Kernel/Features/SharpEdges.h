@@ -22,7 +22,7 @@ namespace evolving
  * An edge is sharp where the normals of its two faces differ by more than an angle (however the
  * faces are turned; an angle met exactly is not exceeded by rounding), where it has more than two
  * faces, and, when wanted, where it has only one.
- * Which edges count can be reduced afterwards, see keepCarriable().
+ * Which edges count can be changed afterwards, see takeFacetEdges() and keepCarriable().
  */
 class SharpEdges
 {
@@ -36,6 +36,8 @@ public:
   double fold(Index edge) const { return this->Folds[static_cast<std::size_t>(edge)]; }
   /// How nearly the fold is enough for a sharp edge: 0 flat, 1 enough.
   double relativeFold(Index edge) const;
+  /// Counts as sharp, however little it folds.
+  void takeIn(Index edge) { this->Sharp[static_cast<std::size_t>(edge)] = 1; }
   /// No longer counts as sharp.
   void leaveOut(Index edge) { this->Sharp[static_cast<std::size_t>(edge)] = 0; }
 

@@ -20,6 +20,24 @@
 namespace evolving
 {
 
+namespace
+{
+
+SurfaceMesh meshOf(const EditableSurface& surface, const std::vector<Index>& faces)
+{
+  SurfaceMesh mesh;
+  for (const Index face : faces)
+  {
+    const Index first = mesh.addPoint(surface.corner(face, 0));
+    mesh.addPoint(surface.corner(face, 1));
+    mesh.addPoint(surface.corner(face, 2));
+    mesh.addFace({ first, first + 1, first + 2 });
+  }
+  return mesh;
+}
+
+} // namespace
+
 void FinishSteps::remesh(EditableSurface& surface, int passes) const
 {
   for (int pass = 0; pass < passes; ++pass)
@@ -84,18 +102,17 @@ void FinishSteps::repair(EditableSurface& surface) const
 
 bool FinishSteps::hasSlivers(const EditableSurface& surface) const
 {
-  return this->slivers(surface).faceCount() > 0;
+  return !this->slivers(surface).empty();
 }
 
-SurfaceMesh FinishSteps::slivers(const EditableSurface& surface) const
+std::vector<Index> FinishSteps::slivers(const EditableSurface& surface) const
 {
-  SurfaceMesh faces;
-  faces.points = surface.triangles().points();
+  std::vector<Index> faces;
   for (Index f = 0; f < surface.faceSlots(); ++f)
   {
     if (surface.hasFace(f) && smallestAngle(surface, f) < this->Tuning.sliverAngle)
     {
-      faces.addFace({ surface.from(3 * f), surface.from(3 * f + 1), surface.from(3 * f + 2) });
+      faces.push_back(f);
     }
   }
   return faces;
@@ -103,8 +120,28 @@ SurfaceMesh FinishSteps::slivers(const EditableSurface& surface) const
 
 void FinishSteps::mend(EditableSurface& surface) const
 {
-  const std::vector<char> isNear =
-    verticesNear(surface, this->slivers(surface), this->Tuning.mendedSizes);
+  this->lockFarFrom(surface, meshOf(surface, this->slivers(surface)));
+  this->remesh(surface, this->Tuning.mendingPasses);
+  this->polish(surface);
+}
+
+void FinishSteps::recover(
+  EditableSurface& surface, const std::vector<Index>& vertices, double inertia) const
+{
+  std::vector<Index> faces;
+  for (const Index v : vertices)
+  {
+    surface.forEachOutgoing(v, [&](Index e) { faces.push_back(EditableSurface::faceOf(e)); });
+  }
+  this->lockFarFrom(surface, meshOf(surface, faces));
+  this->remesh(surface, this->Tuning.recoveringPasses);
+  this->polish(surface);
+  this->fitAlong(surface, inertia);
+}
+
+void FinishSteps::lockFarFrom(EditableSurface& surface, const SurfaceMesh& faces) const
+{
+  const std::vector<char> isNear = verticesNear(surface, faces, this->Tuning.mendedSizes);
   for (Index v = 0; v < surface.vertexSlots(); ++v)
   {
     if (surface.hasVertex(v) && isNear[at(v)] == 0)
@@ -112,8 +149,6 @@ void FinishSteps::mend(EditableSurface& surface) const
       surface.setLocked(v);
     }
   }
-  this->remesh(surface, this->Tuning.mendingPasses);
-  this->polish(surface);
 }
 
 void FinishSteps::reachPeaks(

@@ -45,6 +45,8 @@ public:
    * @param inertia FitOptions::tangentialInertia
    */
   void fitAlong(EditableSurface& surface, double inertia) const;
+  /// Remeshes and fits what is around some vertices, and locks all else.
+  void recover(EditableSurface& surface, const std::vector<Index>& vertices, double inertia) const;
   /// A fit along the normals; only moves vertices.
   void fitUpright(EditableSurface& surface) const;
   /// Bad elements are replaced by others.
@@ -61,7 +63,8 @@ public:
   void reachPeaks(EditableSurface& surface, const SurfaceMesh& target, double leastAngle) const;
 
 private:
-  SurfaceMesh slivers(const EditableSurface& surface) const;
+  std::vector<Index> slivers(const EditableSurface& surface) const;
+  void lockFarFrom(EditableSurface& surface, const SurfaceMesh& faces) const;
 
   const ReferenceSurface& Reference;
   const WrapTarget& Target;

@@ -16,6 +16,20 @@
 namespace evolving
 {
 
+/// In edges of the result: so long facets are large. With 9000 points those of scans, and of models
+/// that animators subdivide, are two and a half at most, of figures of few triangles four and more.
+constexpr double FacetEdges = 3.0;
+
+/// Of the edges that are asked for, before creases make them vary.
+inline double facetLength(const ShrinkWrapOptions& options, const WrapReference& reference)
+{
+  const double area = surfaceArea(reference.visible());
+  const int points = options.targetNumberOfPoints;
+  const double automatic =
+    points > 0 ? coveringEdgeLength(area, points) : defaultEdgeLength(area, 0.0);
+  return FacetEdges * (options.targetEdgeLength > 0.0 ? options.targetEdgeLength : automatic);
+}
+
 /// Those of WrapReference::visible(), but not at sheets, which become walls without creases.
 inline FeatureOptions wantedFeatures(
   const ShrinkWrapOptions& options, const WrapReference& reference, double edgeLength)
@@ -24,6 +38,7 @@ inline FeatureOptions wantedFeatures(
   features.angle = options.featureAngle;
   features.edgeLength = edgeLength;
   features.onlyDistinct = options.preserveFeatures == FeaturePreservation::Automatic;
+  features.facetLength = facetLength(options, reference);
   if (reference.hasSheets())
   {
     features.isExcluded = [&reference](const Vec3& p) { return reference.isAtSheet(p); };

@@ -67,12 +67,13 @@ public:
     }
     this->stage(0.5, 0.6, &Finish::polish);
     this->stage(0.6, 0.75, &Finish::fitAlong);
-    for (int round = 0; round < this->Tuning.releaseRounds && this->isCramped(); ++round)
+    this->stage(0.75, 0.8, &Finish::fitUpright, moveWithoutIntersections);
+    this->stage(0.8, 0.85, &Finish::repair);
+    for (int round = 0; round <= this->Tuning.releaseRounds && this->isCramped(); ++round)
     {
-      this->stage(0.75, 0.75, &Finish::release);
+      this->stage(0.85, 0.85, round == 0 ? &Finish::recover : &Finish::release);
+      this->stage(0.85, 0.9, &Finish::repair);
     }
-    this->stage(0.75, 0.85, &Finish::fitUpright, moveWithoutIntersections);
-    this->stage(0.85, 0.9, &Finish::repair);
     for (int round = 0; round < MostMendings && this->hasSlivers(); ++round)
     {
       this->stage(0.9, 0.9, &Finish::mend);
@@ -181,17 +182,24 @@ private:
 
   std::vector<Index> cramped(const EditableSurface& surface) const
   {
-    return crampedFeatures(surface, this->Tuning.leastFeatureAngle);
+    return crampedFeatures(surface,
+      this->Options.preserveFeatures == FeaturePreservation::On ? this->Tuning.leastFeatureAngle
+                                                                : this->Tuning.leastAutomaticAngle);
   }
 
   bool isCramped() const { return this->OnFeatures && !this->cramped(this->Surface).empty(); }
 
   void release(EditableSurface& surface, const Execution& now) const
   {
-    releaseFeatures(surface, this->cramped(surface));
-    this->steps(now).remesh(surface, this->Tuning.releasePasses);
-    this->polish(surface, now);
-    this->fitAlong(surface, now);
+    const std::vector<Index> vertices = this->cramped(surface);
+    releaseFeatures(surface, vertices);
+    this->steps(now).recover(surface, vertices, this->inertia());
+  }
+
+  /// Some are cramped by a fold that has been smoothed, not by creases.
+  void recover(EditableSurface& surface, const Execution& now) const
+  {
+    this->steps(now).recover(surface, this->cramped(surface), this->inertia());
   }
 
   void adapt(EditableSurface& surface, const Execution& now) const
@@ -206,8 +214,13 @@ private:
 
   void fitAlong(EditableSurface& surface, const Execution& now) const
   {
-    this->steps(now).fitAlong(surface,
-      this->Options.adaptToCurvature ? this->Tuning.adaptedInertia : this->Tuning.uniformInertia);
+    this->steps(now).fitAlong(surface, this->inertia());
+  }
+
+  double inertia() const
+  {
+    return this->Options.adaptToCurvature ? this->Tuning.adaptedInertia
+                                          : this->Tuning.uniformInertia;
   }
 
   void fitUpright(EditableSurface& surface, const Execution& now) const

@@ -135,11 +135,15 @@ struct FinishTuning
   /// that leave smaller angles are undone there.
   double leastAngleOfAdapted = 15.0;
   ///@{
-  /// Creases that leave elements smaller angles than this are let go: half of an equilateral one's.
-  /// Remeshing after it may need some rounds; on most models one is enough.
-  double leastFeatureAngle = 30.0;
+  /// Creases that leave elements smaller angles than this are let go: those that no result should
+  /// have (sliverAngle), and some to spare. Remeshing after it may need some rounds; on most models
+  /// one is enough.
+  double leastFeatureAngle = 22.0;
+  /// The same where PreserveFeatures is automatic, and elements come first: half of 72 degrees, the
+  /// least corner of a patch that may be cut in two elements.
+  double leastAutomaticAngle = 36.0;
   int releaseRounds = 3;
-  int releasePasses = 2;
+  int recoveringPasses = 2;
   ///@}
   /// Faces farther from their patch of the target, in sizes of the smallest, have no place there.
   /// Nearer than that, many that belong there are lost (column "least angle" with --features).

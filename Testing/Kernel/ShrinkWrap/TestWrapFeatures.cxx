@@ -11,12 +11,14 @@
 #include "Shapes/CreasedShapes.h"
 #include "Shapes/MeshVariants.h"
 #include "ShrinkWrap/FeatureWraps.h"
+#include "StartSurface/PrimitiveSurfaces.h"
 #include "Trees/AABBTree.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace
 {
@@ -209,6 +211,45 @@ TEST(WrapFeatures, ADartIsThere)
   }
   EXPECT_LT(farthest, 1e-13);
   EXPECT_GT(farthestPlain, 0.01);
+}
+
+TEST(WrapFeatures, FeetOfRibsAreThereWhateverTheGrid)
+{
+  // Flush with the plate's side: three creases and an end that goes on as the plate's own.
+  std::vector<Vec3> comb = { { 0, 0, 0 }, { 10, 0, 0 }, { 10, 2, 0 } };
+  for (const double x : { 8.0, 5.0, 2.0 })
+  {
+    comb.insert(comb.end(), { { x + 1, 2, 0 }, { x + 1, 5, 0 }, { x, 5, 0 }, { x, 2, 0 } });
+  }
+  comb.insert(comb.end(), { { 0, 2, 0 } });
+  const SurfaceMesh target = shapes::extruded(comb, 6.0);
+  for (const int samples : { 48, 56, 64, 72, 73, 88 })
+  {
+    ShrinkWrapOptions options = withFeatures(0.5);
+    options.sampleDimensions = { samples, samples, samples };
+    options.preserveFeatures = FeaturePreservation::Automatic;
+    const Wrapped wrapped(target, options);
+    expectSound(wrapped.surface, 0);
+    EXPECT_EQ(wrapped.report.creases.missing, 0.0)
+      << samples << ", at " << wrapped.report.creases.place.transpose();
+    EXPECT_NEAR(signedVolume(wrapped.surface), 6.0 * (10.0 * 2.0 + 3.0 * 1.0 * 3.0), 1e-9);
+    EXPECT_GT(smallestAngle(wrapped.surface), 33.0) << samples;
+  }
+}
+
+TEST(WrapFeatures, LargeFacetsHaveTheirEdges)
+{
+  // An icosahedron folds by less than the angle of creases, but is no sphere.
+  ShrinkWrapOptions options = quick(0.15, 48);
+  options.preserveFeatures = FeaturePreservation::Automatic;
+  const SurfaceMesh target = icosphere(0);
+  const Wrapped faceted(target, options);
+  expectSound(faceted.surface, 0);
+  EXPECT_LT(checks::hausdorff(faceted.surface, target, 0.05), 1e-12);
+  EXPECT_EQ(faceted.report.creases.missing, 0.0);
+  options.preserveFeatures = FeaturePreservation::Off;
+  const Wrapped smooth(target, options);
+  EXPECT_GT(checks::hausdorff(smooth.surface, target, 0.05), 1e-3);
 }
 
 TEST(WrapFeatures, WhatElementsCannotCarryIsSaid)
