@@ -21,8 +21,8 @@
  * left out; a warning counts them, and so does Shortcomings.
  *
  * A stage that makes the surface run through itself is undone at that place. What could not be
- * reached, and angles below 20 degrees, are said in a warning for each, with the place, and in the
- * field array Shortcomings.
+ * reached, holes and parts that were lost, and angles below 20 degrees, are said in a warning for
+ * each, with the place, and in the field array Shortcomings.
  *
  * Output 0 is the finished surface; with OutputSteps on it is the series of the evolution, step 0
  * the start and the last step the finished surface, as of vtkSurfaceEvolution. Point and field
