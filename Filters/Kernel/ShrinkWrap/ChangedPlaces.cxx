@@ -99,12 +99,22 @@ public:
   {
   }
 
-  ChangedPlaces run()
+  ChangedPlaces run(std::size_t enoughFilled) const
   {
     ChangedPlaces changed;
     const std::vector<MedialProbe> front = this->probes(ProbeSide::Front, 0.0);
     changed.filled = this->placesOf(
       chosen(front, insideOf(this->ResultTree, front, this->Now.phase(0.4, 0.5)), 1));
+    if (changed.filled.size() < enoughFilled)
+    {
+      this->findMissing(changed);
+    }
+    return changed;
+  }
+
+private:
+  void findMissing(ChangedPlaces& changed) const
+  {
     const std::vector<MedialProbe> behind = this->probes(ProbeSide::Behind, 0.5);
     const std::vector<char> isThere = insideOf(this->ResultTree, behind, this->Now.phase(0.9, 1.0));
     const std::vector<char> isLeft = this->partsWith(chosen(behind, isThere, 1));
@@ -115,10 +125,8 @@ public:
         [&](const MedialProbe& probe) { return !isLeft[at(this->partOf(probe.triangle))]; }),
       missing.end());
     changed.missing = this->placesOf(missing);
-    return changed;
   }
 
-private:
   std::vector<MedialProbe> probes(ProbeSide side, double from) const
   {
     return medialProbes(this->SolidTree, this->Places, side, this->Now.phase(from, from + 0.4));
@@ -139,8 +147,11 @@ private:
     return has;
   }
 
-  std::vector<ChangedPlace> placesOf(const std::vector<MedialProbe>& probes) const
+  std::vector<ChangedPlace> placesOf(std::vector<MedialProbe> probes) const
   {
+    probes.erase(std::remove_if(probes.begin(), probes.end(),
+                   [&](const MedialProbe& probe) { return !isWidth(this->SolidTree, probe); }),
+      probes.end());
     std::vector<ChangedPlace> places;
     for (const auto& group : groupedProbes(probes, this->Places, this->Topology))
     {
@@ -185,10 +196,10 @@ private:
 
 } // namespace
 
-ChangedPlaces findChangedPlaces(
-  const SurfaceMesh& solid, const SurfaceMesh& result, double spacing, const Execution& execution)
+ChangedPlaces findChangedPlaces(const SurfaceMesh& solid, const SurfaceMesh& result, double spacing,
+  std::size_t enoughFilled, const Execution& execution)
 {
-  return Comparison(solid, result, spacing, execution).run();
+  return Comparison(solid, result, spacing, execution).run(enoughFilled);
 }
 
 } // namespace evolving

@@ -13,6 +13,8 @@
 #include "Mesh/SurfaceMesh.h"
 #include "Types.h"
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace evolving
@@ -41,9 +43,11 @@ struct ChangedPlaces
  * @param solid triangles, closed, outwards, that do not intersect themselves, as outerParts() are
  * @param result triangles, closed
  * @param spacing of the places on large triangles; every triangle has one
+ * @param enoughFilled places: from so many on, what is missing is not looked for
  * @throws Cancelled
  */
 ChangedPlaces findChangedPlaces(const SurfaceMesh& solid, const SurfaceMesh& result, double spacing,
+  std::size_t enoughFilled = std::numeric_limits<std::size_t>::max(),
   const Execution& execution = {});
 
 } // namespace evolving

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <vector>
 
 namespace evolving
@@ -42,12 +43,17 @@ double narrowestOf(const std::vector<ChangedPlace>& places, Index count, double 
   return places.empty() ? HUGE_VAL : places.front().width;
 }
 
+/// At least one.
+Index changesOf(const LostTopology& lost)
+{
+  return std::abs(lost.genus - lost.genusOfResult) + std::abs(lost.parts - lost.partsOfResult);
+}
+
 /// Drops what says nothing new, and finds how narrow a place has been too narrow.
 void weigh(LostTopology& lost, double edgeLength)
 {
   ChangedPlaces& places = lost.places;
-  const Index changes = std::max(
-    1, std::abs(lost.genus - lost.genusOfResult) + std::abs(lost.parts - lost.partsOfResult));
+  const Index changes = changesOf(lost);
   if (places.filled.size() + places.missingParts.size() >= at(changes))
   {
     places.missing.clear(); // sharp edges that are rounder now look like thin walls
@@ -90,7 +96,11 @@ std::optional<LostTopology> findLostTopology(const SurfaceMesh& target, const Su
   lost.genusOfResult = ofResult.genus();
   lost.partsOfResult = ofResult.components;
   lost.area = surfaceArea(seen);
-  lost.places = findChangedPlaces(seen, result, edgeLength, execution.phase(0.4, 1.0));
+  const bool mayLackParts = lost.partsOfResult < lost.parts;
+  const std::size_t enoughFilled =
+    mayLackParts ? std::numeric_limits<std::size_t>::max() : at(changesOf(lost));
+  lost.places =
+    findChangedPlaces(seen, result, edgeLength, enoughFilled, execution.phase(0.4, 1.0));
   weigh(lost, edgeLength);
   return lost;
 }

@@ -26,14 +26,6 @@ double longestEdge(const Triangle& triangle)
     std::max({ (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm() }));
 }
 
-/// Is the middle about as far from all of the surface as from the ends? Along a slit, or from rim
-/// to rim through a plate, it is not: that is no width.
-bool isAcrossMiddle(const AABBTree& surface, const MedialProbe& probe)
-{
-  const double least = LeastClearance * probe.width();
-  return surface.closest(probe.middle(), least * least).triangle == NoIndex;
-}
-
 std::optional<MedialProbe> probeFrom(
   const AABBTree& surface, Index triangle, const Vec3& point, ProbeSide side)
 {
@@ -46,14 +38,19 @@ std::optional<MedialProbe> probeFrom(
       const MedialProbe probe{ triangle, hit.triangle, point, point + hit.parameter * direction };
       // Out of the solid a ray comes from behind; what else it meets is next to it by rounding.
       const bool isOtherSide = hit.isFromBehind == (side == ProbeSide::Behind);
-      return isOtherSide && isAcrossMiddle(surface, probe) ? std::optional<MedialProbe>(probe)
-                                                           : std::nullopt;
+      return isOtherSide ? std::optional<MedialProbe>(probe) : std::nullopt;
     }
   }
   return std::nullopt;
 }
 
 } // namespace
+
+bool isWidth(const AABBTree& surface, const MedialProbe& probe)
+{
+  const double least = LeastClearance * probe.width();
+  return surface.closest(probe.middle(), least * least).triangle == NoIndex;
+}
 
 ProbePlaces probePlaces(const SurfaceMesh& surface, double spacing)
 {

@@ -51,12 +51,15 @@ enum class ProbeSide
 
 /**
  * Along the normals of a closed surface, in front of it through the open, behind it through the
- * solid. Places have none that see nothing there, or only from end to end of what is narrower
- * across.
+ * solid. Places that see nothing there have none.
  * @throws Cancelled
  */
 std::vector<MedialProbe> medialProbes(const AABBTree& surface, const ProbePlaces& places,
   ProbeSide side, const Execution& execution = {});
+
+/// Is the middle about as far from all of the surface as from the ends? Along a slit, or from rim
+/// to rim through a plate, it is not.
+bool isWidth(const AABBTree& surface, const MedialProbe& probe);
 
 } // namespace evolving
 
