@@ -21,8 +21,6 @@ namespace
 
 /// Of a part, in diagonals of its box: about that of a bar three times as long; a cube has 0.58.
 constexpr double ThicknessOfParts = 0.3;
-/// In edge lengths: elements for what is narrower would be a hundred times as many, all at once.
-constexpr double LeastWidth = 0.2;
 
 bool hasGenus(const TopologySummary& topology)
 {
@@ -58,7 +56,7 @@ void weigh(LostTopology& lost, double edgeLength)
   {
     places.missing.clear(); // sharp edges that are rounder now look like thin walls
   }
-  const double least = LeastWidth * edgeLength;
+  const double least = LeastWidthToAskFor * edgeLength;
   const double narrowest = std::min(
     { narrowestOf(places.filled, changes, least), narrowestOf(places.missing, changes, least),
       ThicknessOfParts * narrowestOf(places.missingParts, changes, least) });

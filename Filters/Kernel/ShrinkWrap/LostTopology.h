@@ -20,9 +20,13 @@
 namespace evolving
 {
 
+/// In edge lengths: elements for what is narrower would be a hundred times as many, all at once.
+constexpr double LeastWidthToAskFor = 0.2;
+
 /// What would bring the lost places back; none or 0 is not to blame.
 struct LostTopologyRemedy
 {
+  bool isTooNarrow = false;   ///< only another input would, or asking for less
   bool isStart = false;       ///< a start that has the target's holes
   std::optional<int> samples; ///< along each axis; 0 = automatic
   double edgeLength = 0.0;

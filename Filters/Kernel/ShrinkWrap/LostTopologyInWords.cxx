@@ -90,6 +90,11 @@ void advise(std::ostream& words, const LostTopologyRemedy& remedy)
   {
     add("the Isosurface start");
   }
+  if (remedy.isTooNarrow)
+  {
+    words << "; triangles cannot be so small: change the input there, or set a GapSize where holes "
+             "may close";
+  }
   if (remedy.samples)
   {
     add("SampleDimensions of ", *remedy.samples);

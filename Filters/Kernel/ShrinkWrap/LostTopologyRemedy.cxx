@@ -65,6 +65,12 @@ LostTopologyRemedy remedyFor(
 {
   LostTopologyRemedy remedy;
   remedy.isStart = options.start != WrapStart::Isosurface;
+  remedy.isTooNarrow =
+    lost.narrowest > 0.0 && lost.narrowest < LeastWidthToAskFor * target.edgeLength;
+  if (remedy.isTooNarrow)
+  {
+    return remedy;
+  }
   const double narrowest = lost.narrowest > 0.0 ? lost.narrowest : target.shortestEdge();
   remedy.samples = samplesFor(narrowest / CellsAcross, target, options);
   const double edge = narrowest / EdgesAcross;

@@ -253,6 +253,19 @@ TEST(LostTopology, IsAPartThatVanishes)
     << inWords(*lost);
 }
 
+TEST(LostTopology, IsNotBroughtBackByNumbersThatNobodyCanAfford)
+{
+  const SurfaceMesh two = shapes::merged(
+    block(Vec3::Zero(), Vec3::Ones()), block(Vec3(1.001, 0.0, 0.0), Vec3(2.001, 1.0, 1.0)));
+  ShrinkWrapOptions options = wraps::quick(0.2, 24);
+  const auto lost = lostBy(two, options);
+  ASSERT_TRUE(lost);
+  EXPECT_TRUE(says(*lost, "; triangles cannot be so small: ")) << inWords(*lost);
+  EXPECT_FALSE(says(*lost, "; use ")) << inWords(*lost);
+  options.gapSize = 0.01;
+  EXPECT_FALSE(lostBy(two, options));
+}
+
 TEST(LostTopology, IsNoneWhereItWasKeptOrClosedOnPurpose)
 {
   EXPECT_FALSE(lostBy(slab(2), wraps::quick(0.2, 48)));
