@@ -21,8 +21,8 @@
  * left out; a warning counts them, and so does Shortcomings.
  *
  * A stage that makes the surface run through itself is undone at that place. What could not be
- * reached, and angles below 20 degrees, are said in a warning for each, with the place, and in the
- * field array Shortcomings.
+ * reached, holes and parts that were lost, and angles below 20 degrees, are said in a warning for
+ * each, with the place, and in the field array Shortcomings.
  *
  * Output 0 is the finished surface; with OutputSteps on it is the series of the evolution, step 0
  * the start and the last step the finished surface, as of vtkSurfaceEvolution. Point and field
@@ -170,8 +170,8 @@ public:
    * the other edges beside it. On scans and models of smooth things it does not; but parts made of
    * large facets, edges that fold by two thirds of FeatureAngle being three times as long as those
    * of the result, get the edges of their facets. Triangles come first: what would leave them
-   * angles below 36 degrees is rounded. ON keeps all sharp edges and, for them, angles down to 22
-   * degrees. OFF keeps none.
+   * angles below 33 degrees, beside facets 36, is rounded. ON keeps all sharp edges and, for them,
+   * angles down to 22 degrees. OFF keeps none.
    */
   vtkSetClampMacro(PreserveFeatures, int, OFF, AUTOMATIC);
   vtkGetMacro(PreserveFeatures, int);

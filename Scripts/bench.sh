@@ -7,8 +7,8 @@
 # Builds the programs of Testing/Benchmarks in build/release and runs them one after the other; their
 # tables go to the terminal and to build/release/benchmarks/tables.txt. Takes about half an hour.
 #
-#   MESH or FOLDER  where AccuracyStudy, RedistributionStudy and WrapComparison measure (default:
-#                   Data)
+#   MESH or FOLDER  where AccuracyStudy, RedistributionStudy, WrapComparison and
+#                   EngineeringComparison measure (default: Data)
 #   --scan MESH     what the other programs of the distance measure, subdivided towards 80,000
 #                   triangles (default: Data/bunny.ply)
 #   --peers         installs OpenVDB and CGAL to compare with, where they are missing (root or sudo)
@@ -104,6 +104,7 @@ run_all()
   "$programs/SolverChoice"
   "$programs/RedistributionStudy" "${meshes[@]}"
   "$programs/WrapComparison" "${meshes[@]}"
+  "$programs/EngineeringComparison" "${meshes[@]}"
   "$programs/WrapConstants" --sizes 500 "$scan"
   "$programs/PeerComparison" "$scan"
   "$programs/TimingStudy" "$scan"

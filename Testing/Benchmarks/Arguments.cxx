@@ -58,7 +58,7 @@ std::vector<int> integers(const std::string& option, const std::string& text, in
 
 bool isModel(const std::filesystem::path& file)
 {
-  static const std::vector<std::string> endings{ ".obj", ".ply", ".stl", ".vtk" };
+  static const std::vector<std::string> endings{ ".obj", ".ply", ".stl", ".vtk", ".vtp" };
   return std::find(endings.begin(), endings.end(), file.extension().string()) != endings.end();
 }
 
@@ -96,7 +96,7 @@ void printUsage(const std::string& program, const Arguments& defaults, const std
     std::cout << " [" << name << "]";
   }
   std::cout << " [MESH or FOLDER ...]\n\n"
-            << "MESH is .obj, .ply, .stl or .vtk; without one it is "
+            << "MESH is .obj, .ply, .stl, .vtk or .vtp; without one it is "
             << (defaults.models.empty() ? "Data/bunny.ply" : "all of Data") << ".\n";
 }
 

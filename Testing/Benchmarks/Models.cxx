@@ -16,6 +16,7 @@
 #include "vtkPolyDataReader.h"
 #include "vtkSTLReader.h"
 #include "vtkTriangleFilter.h"
+#include "vtkXMLPolyDataReader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +54,10 @@ vtkSmartPointer<vtkPolyData> readByEnding(const std::string& path)
   {
     return readWith<vtkSTLReader>(path);
   }
+  if (ending == ".vtp")
+  {
+    return readWith<vtkXMLPolyDataReader>(path);
+  }
   return readWith<vtkPolyDataReader>(path);
 }
 
@@ -88,7 +93,8 @@ Model readModel(const std::string& path)
   Model model{ std::filesystem::path(path).filename().string(), readByEnding(path) };
   if (model.surface->GetNumberOfPoints() == 0)
   {
-    std::cerr << "'" << path << "' has no points; expected a .obj, .ply, .stl or .vtk mesh.\n";
+    std::cerr << "'" << path
+              << "' has no points; expected a .obj, .ply, .stl, .vtk or .vtp mesh.\n";
     std::exit(2);
   }
   return model;

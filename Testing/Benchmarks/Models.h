@@ -27,7 +27,8 @@ struct Model
   long long triangles() const { return static_cast<long long>(this->surface->GetNumberOfPolys()); }
 };
 
-/// A .obj, .ply, .stl or .vtk file as its reader gives it. Leaves the program when it has nothing.
+/// A .obj, .ply, .stl, .vtk or .vtp file as its reader gives it. Leaves the program when it has
+/// nothing.
 Model readModel(const std::string& path);
 
 /**

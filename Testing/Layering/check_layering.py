@@ -36,8 +36,9 @@ KERNEL_ARROWS = {
     "Redistribution": {"Mesh", "Trees", "Algebra", "Operators"},
     "Evolution": {"Mesh", "Trees", "Distance", "Algebra", "Operators", "Redistribution",
                   "Remeshing"},
+    "LostTopology": {"Mesh", "Trees", "Remeshing"},
     "ShrinkWrap": {"Mesh", "Trees", "Distance", "Crossings", "Features", "StartSurface", "Remeshing",
-                   "FeatureCapture", "Evolution"},
+                   "FeatureCapture", "Evolution", "LostTopology"},
 }
 
 

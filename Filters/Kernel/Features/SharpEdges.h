@@ -37,7 +37,12 @@ public:
   /// How nearly the fold is enough for a sharp edge: 0 flat, 1 enough.
   double relativeFold(Index edge) const;
   /// Counts as sharp, however little it folds.
-  void takeIn(Index edge) { this->Sharp[static_cast<std::size_t>(edge)] = 1; }
+  void takeIn(Index edge)
+  {
+    this->Sharp[static_cast<std::size_t>(edge)] = 1;
+    this->HasTaken = true;
+  }
+  bool hasTakenIn() const { return this->HasTaken; }
   /// No longer counts as sharp.
   void leaveOut(Index edge) { this->Sharp[static_cast<std::size_t>(edge)] = 0; }
 
@@ -48,6 +53,7 @@ private:
   double Angle;
   std::vector<double> Folds;
   std::vector<char> Sharp;
+  bool HasTaken = false;
 };
 
 } // namespace evolving

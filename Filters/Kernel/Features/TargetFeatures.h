@@ -57,6 +57,9 @@ public:
   const FeatureCurves& curves() const { return this->Network; }
   const LabelBorders& borders() const { return this->Borders; }
 
+  /// Are some of the creases edges of faceted parts? See takeFacetEdges().
+  bool hasFacets() const { return this->Sharp.hasTakenIn(); }
+
   Index labelCount() const { return this->Labels.count; }
   Index labelOf(Index triangle) const { return this->Labels[triangle]; }
   /// How many pieces the creases alone cut the surface into: labels without artificial borders.

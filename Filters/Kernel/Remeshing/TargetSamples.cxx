@@ -3,8 +3,6 @@
 
 #include "Remeshing/TargetSamples.h"
 
-#include "Trees/TriangleGeometry.h"
-
 #include <cmath>
 
 namespace evolving
@@ -22,8 +20,9 @@ double fraction(double x)
   return x - std::floor(x);
 }
 
-/// Point i of a sequence that fills a triangle evenly; the first is its centroid.
-Vec3 pointOf(const Triangle& triangle, GridIndex i)
+} // namespace
+
+Vec3 sampleOf(const Triangle& triangle, GridIndex i)
 {
   double u = fraction(1.0 / 3.0 + static_cast<double>(i) * FirstStep);
   double v = fraction(1.0 / 3.0 + static_cast<double>(i) * SecondStep);
@@ -35,8 +34,6 @@ Vec3 pointOf(const Triangle& triangle, GridIndex i)
   return triangle.corners[0] + u * (triangle.corners[1] - triangle.corners[0]) +
     v * (triangle.corners[2] - triangle.corners[0]);
 }
-
-} // namespace
 
 std::vector<Vec3> samplesOf(const SurfaceMesh& triangles, double spacing)
 {
@@ -50,7 +47,7 @@ std::vector<Vec3> samplesOf(const SurfaceMesh& triangles, double spacing)
     due -= static_cast<double>(count);
     for (GridIndex i = 0; i < count; ++i)
     {
-      samples.push_back(pointOf(triangle, i));
+      samples.push_back(sampleOf(triangle, i));
     }
   }
   return samples;

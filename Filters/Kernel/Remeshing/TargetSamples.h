@@ -10,12 +10,16 @@
 #define EVOLVING_TARGET_SAMPLES_H
 
 #include "Mesh/SurfaceMesh.h"
+#include "Trees/TriangleGeometry.h"
 #include "Types.h"
 
 #include <vector>
 
 namespace evolving
 {
+
+/// Point i of a sequence that fills a triangle evenly; the first is its centroid.
+Vec3 sampleOf(const Triangle& triangle, GridIndex i);
 
 /**
  * All points, and points on them about `spacing` apart: one for every spacing^2

@@ -47,7 +47,7 @@ public:
   std::vector<std::string> all()
   {
     this->sayOfTopology();
-    this->sayOfGenus();
+    this->sayOfLostTopology();
     this->sayOfElements();
     if (this->Far < FarEdges * this->EdgeLength)
     {
@@ -94,21 +94,12 @@ private:
     }
   }
 
-  void sayOfGenus()
+  void sayOfLostTopology()
   {
-    const SurfaceReport& r = this->Report;
-    if (!r.wantedGenus || r.genus < 0 || (r.genus == *r.wantedGenus && r.components == 1))
+    if (this->Report.lost)
     {
-      return;
+      this->say(inWords(*this->Report.lost));
     }
-    const char* const why = r.genus < *r.wantedGenus
-      ? "holes or handles narrower than about two triangles were closed or lost"
-      : (r.genus > *r.wantedGenus ? "parts of it that are near to each other were joined"
-                                  : "places thinner than a triangle were lost");
-    this->say("The target is one closed surface of genus ", *r.wantedGenus,
-      ", the result has genus ", r.genus, " in ", r.components,
-      r.components == 1 ? " part" : " parts", ": ", why, "; ", this->smallerTriangles(),
-      " and more SampleDimensions.");
   }
 
   void sayOfElements()

@@ -5,13 +5,16 @@
 
 #include "Distance/SignedDistance.h"
 #include "Errors.h"
+#include "LostTopology/LostTopology.h"
 #include "ParallelLoops.h"
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/SizingField.h"
 #include "Remeshing/TargetSamples.h"
 #include "Remeshing/VertexBudget.h"
+#include "ShrinkWrap/LostTopologyRemedy.h"
 #include "ShrinkWrap/OuterRegion.h"
 #include "ShrinkWrap/Shortcomings.h"
+#include "ShrinkWrap/WantedGenus.h"
 #include "ShrinkWrap/WrapLooks.h"
 #include "ShrinkWrap/WrapRemesher.h"
 #include "ShrinkWrap/WrapTarget.h"
@@ -28,8 +31,6 @@ namespace evolving
 
 namespace
 {
-
-constexpr Index MostPointsToAskFor = 1000000; // the range of the filter's TargetNumberOfPoints
 
 /// In edge lengths, about: positions need no more, for remeshing follows.
 constexpr double SolverTolerance = 1e-6;
@@ -132,7 +133,6 @@ ShrinkWrapProblem prepareShrinkWrap(const SurfaceMesh& mesh, const ShrinkWrapOpt
   const std::shared_ptr<const WrapReference> reference = seen.view->reference();
   const OuterRegion& region = seen.view->region();
   ShrinkWrapProblem problem;
-  problem.wantedGenus = seen.wantedGenus;
   const auto remesher = std::make_shared<WrapRemesher>(target, reference, options);
   problem.field = levelField(*target, std::move(seen.view->fields()), region, *reference);
   const SurfaceMesh start = options.start == WrapStart::Icosphere
@@ -155,7 +155,9 @@ ShrinkWrapProblem prepareShrinkWrap(const SurfaceMesh& mesh, const ShrinkWrapOpt
   problem.flow = flowFor(*target, options);
   problem.edgeLength = target->edgeLength;
   problem.modelSize = target->modelSize();
-  problem.isEdgeAutomatic = options.targetEdgeLength == 0.0;
+  problem.target = target;
+  problem.options = options;
+  problem.keepsTopology = mesh.faceCount() > 0 && keepsTopology(options);
   return problem;
 }
 
@@ -173,13 +175,22 @@ SurfaceReport examineWrap(
     execution.phase(0.0, 0.6));
   const double far = farDistance(problem.edgeLength, problem.modelSize) + reference.highestLevel();
   measureLoss(surface, samplesOf(reference.visible(), problem.edgeLength), far, report,
-    execution.phase(0.6, 1.0));
+    execution.phase(0.6, 0.8));
   report.creases = problem.remesher->creases();
   report.coarse = findCoarseParts(surface);
   report.modelSize = problem.modelSize;
-  report.morePoints =
-    problem.isEdgeAutomatic ? std::min(2 * surface.vertexCount(), MostPointsToAskFor) : 0;
-  report.wantedGenus = problem.wantedGenus;
+  report.morePoints = problem.options.targetEdgeLength == 0.0
+    ? std::min(2 * surface.vertexCount(), Index(MostPointsToAskFor))
+    : 0;
+  if (problem.keepsTopology)
+  {
+    report.lost = findLostTopology(
+      problem.target->surface, surface, problem.edgeLength, execution.phase(0.8, 1.0));
+  }
+  if (report.lost)
+  {
+    report.lost->remedy = remedyFor(*report.lost, *problem.target, problem.options);
+  }
   return report;
 }
 

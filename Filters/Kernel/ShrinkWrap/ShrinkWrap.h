@@ -16,15 +16,14 @@
 #include "Mesh/SurfaceMesh.h"
 #include "ShrinkWrap/ShrinkWrapOptions.h"
 #include "ShrinkWrap/SurfaceReport.h"
-#include "ShrinkWrap/WantedGenus.h"
 #include "ShrinkWrap/WrapReference.h"
 #include "ShrinkWrap/WrapRemesher.h"
 #include "ShrinkWrap/WrapResolution.h"
+#include "ShrinkWrap/WrapTarget.h"
 #include "ShrinkWrap/WrapTuning.h"
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 
 namespace evolving
 {
@@ -38,10 +37,10 @@ struct ShrinkWrapProblem
   FlowOptions flow;                               ///< in absolute units
   std::shared_ptr<const WrapReference> reference; ///< where the result shall lie, exactly
   double edgeLength = 0.0;                        ///< of the result
-  double modelSize = 0.0;       ///< the diagonal of the box that the result should fill
-  bool isEdgeAutomatic = false; ///< or asked for
-  /// That of the target, where the result should have the same: genusToKeep().
-  std::optional<Index> wantedGenus;
+  double modelSize = 0.0; ///< the diagonal of the box that the result should fill
+  std::shared_ptr<const WrapTarget> target;
+  ShrinkWrapOptions options;
+  bool keepsTopology = false; ///< of the target: not of points, nor where holes are to be closed
 };
 
 /**

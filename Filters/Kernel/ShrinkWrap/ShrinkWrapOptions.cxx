@@ -73,6 +73,11 @@ double coveringEdgeLength(double area, double vertexCount)
   return std::sqrt(2.0 * area / (vertexCount * std::sqrt(3.0)));
 }
 
+double coveringVertexCount(double area, double edgeLength)
+{
+  return 2.0 * area / (std::sqrt(3.0) * edgeLength * edgeLength);
+}
+
 double edgeLengthFor(double vertexCount, double area, double length)
 {
   return std::max(coveringEdgeLength(area, vertexCount), VerticesAroundWire * length / vertexCount);

@@ -30,6 +30,9 @@ enum class FeaturePreservation
   Automatic = 2, ///< on those parts whose sharp edges are creases: keepDistinctCreases()
 };
 
+/// The range of targetNumberOfPoints: more would take hours.
+constexpr int MostPointsToAskFor = 1000000;
+
 struct ShrinkWrapOptions
 {
   WrapStart start = WrapStart::Isosurface;
@@ -71,6 +74,8 @@ double timeStepOf(const ShrinkWrapOptions& options);
 
 /// sqrt(2 A / (N sqrt(3))): equilateral triangles of this edge cover A with N vertices.
 double coveringEdgeLength(double area, double vertexCount);
+/// The other way round.
+double coveringVertexCount(double area, double edgeLength);
 
 /// Covers the area with so many vertices. Of a wire or a needle, which has next to no area, so long
 /// that the wall around it has about as many.

@@ -12,6 +12,7 @@
 
 #include "Execution.h"
 #include "FeatureCapture/FeatureCoverage.h"
+#include "LostTopology/LostTopology.h"
 #include "Mesh/SurfaceMesh.h"
 #include "ShrinkWrap/CoarseParts.h"
 #include "Types.h"
@@ -46,8 +47,7 @@ struct SurfaceReport
   double modelSize = 0.0;                ///< likewise: the diagonal of its box; 0 = unknown
   /// Likewise: what to ask for to get clearly smaller triangles; 0 where their size was asked for.
   Index morePoints = 0;
-  /// Likewise: the genus that it should have, in one part; none where that is not known.
-  std::optional<Index> wantedGenus;
+  std::optional<LostTopology> lost; ///< likewise: none where nothing was, or that is not known
 };
 
 /// How far a point is from where the surface is meant to lie.

@@ -9,10 +9,15 @@
 namespace evolving
 {
 
+bool keepsTopology(const ShrinkWrapOptions& options)
+{
+  return options.gapSize == 0.0 && options.offsetDistance == 0.0;
+}
+
 std::optional<Index> genusToKeep(
   const SurfaceMesh& target, const ShrinkWrapOptions& options, const Execution& execution)
 {
-  if (options.gapSize > 0.0 || options.offsetDistance > 0.0)
+  if (!keepsTopology(options))
   {
     return std::nullopt;
   }

@@ -19,10 +19,12 @@
 namespace evolving
 {
 
+/// Is a target wrapped as it is? A GapSize or an OffsetDistance closes holes on purpose.
+bool keepsTopology(const ShrinkWrapOptions& options);
+
 /**
  * The genus of a target that is one closed surface, manifold, oriented and without
- * self-intersections, if it is wrapped as it is: none with a GapSize or an OffsetDistance, which
- * close holes on purpose.
+ * self-intersections, if it keepsTopology().
  * @param target triangles, welded
  * @throws Cancelled
  */

@@ -182,9 +182,10 @@ private:
 
   std::vector<Index> cramped(const EditableSurface& surface) const
   {
-    return crampedFeatures(surface,
-      this->Options.preserveFeatures == FeaturePreservation::On ? this->Tuning.leastFeatureAngle
-                                                                : this->Tuning.leastAutomaticAngle);
+    const bool isOn = this->Options.preserveFeatures == FeaturePreservation::On;
+    const double automatic =
+      this->Features->hasFacets() ? this->Tuning.leastFacetAngle : this->Tuning.leastAutomaticAngle;
+    return crampedFeatures(surface, isOn ? this->Tuning.leastFeatureAngle : automatic);
   }
 
   bool isCramped() const { return this->OnFeatures && !this->cramped(this->Surface).empty(); }

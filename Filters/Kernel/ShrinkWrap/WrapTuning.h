@@ -139,9 +139,11 @@ struct FinishTuning
   /// have (sliverAngle), and some to spare. Remeshing after it may need some rounds; on most models
   /// one is enough.
   double leastFeatureAngle = 22.0;
-  /// The same where PreserveFeatures is automatic, and elements come first: half of 72 degrees, the
-  /// least corner of a patch that may be cut in two elements.
-  double leastAutomaticAngle = 36.0;
+  /// The same where PreserveFeatures is automatic, and elements count as much: half of an
+  /// equilateral one's, and some to spare for the stages that follow. Folds of faceted parts may
+  /// cost even less: half of 72 degrees, the least corner of a patch that two elements may share.
+  double leastAutomaticAngle = 33.0;
+  double leastFacetAngle = 36.0;
   int releaseRounds = 3;
   int recoveringPasses = 2;
   ///@}
