@@ -36,7 +36,7 @@ class SolvesOnce(unittest.TestCase):
     def with_a_field(self, **properties):
         sdf = pv.MeshSDF(Input=self.sphere, SampleDimensions=[24, 24, 24])
         start = pv.Icosphere(Level=2, Radius=1.4)
-        return pv.SurfaceEvolution(Input=start, DistanceField=sdf, **properties)
+        return pv.SurfaceEvolution(Input=start, DistanceField=sdf, TimeStep=0.03, **properties)
 
     def browse(self, proxy, name):
         """What a user does with a time series; the number of solves after each part."""
