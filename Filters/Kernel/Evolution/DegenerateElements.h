@@ -17,9 +17,12 @@ namespace evolving
 
 /**
  * Has it a face with an angle too small to go on with? A boundary that keeps its shape decides on
- * the angles of faces along it: those do not count, unless the boundary is free.
+ * the angles of faces along it: those do not count, unless the boundary is free. New elements know
+ * nothing of sharp edges and would make saws of them, so that a surface with some gets time: the
+ * flow rounds them off within a few steps, where its elements are small.
+ * @param edgeLength of new elements; sharp edges between larger ones stay whatever the flow does
  */
-bool hasDegenerateElements(const SurfaceMesh& surface, BoundaryMode mode);
+bool hasDegenerateElements(const SurfaceMesh& surface, BoundaryMode mode, double edgeLength);
 
 /**
  * The edge length with which as many equilateral triangles cover a surface as it has vertices, but

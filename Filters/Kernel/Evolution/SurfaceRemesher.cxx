@@ -142,7 +142,7 @@ std::optional<SurfaceMesh> SurfaceRemesher::remesh(
   const RemeshingInput& input, const Execution& execution)
 {
   if (this->Options.onlyDegenerate &&
-    !hasDegenerateElements(input.surface, this->Options.boundaryMode))
+    !hasDegenerateElements(input.surface, this->Options.boundaryMode, this->Options.edgeLength))
   {
     return std::nullopt;
   }
@@ -156,7 +156,7 @@ std::optional<SurfaceMesh> SurfaceRemesher::remesh(
   // What still is not good is a neck that is thin enough to be cut only now.
   const bool mayHaveNecks = this->Options.onlyDegenerate && input.distance.empty();
   for (int round = 0; mayHaveNecks && round < NeckRounds &&
-       hasDegenerateElements(*made, this->Options.boundaryMode);
+       hasDegenerateElements(*made, this->Options.boundaryMode, this->Options.edgeLength);
        ++round)
   {
     const SurfaceMesh again = *made;
