@@ -382,7 +382,7 @@ public:
   ///@{
   /**
    * Mean edge length that remeshing aims at, in length units; 0, the default, is that of the start
-   * (AUTOMATIC: with which as many regular triangles cover it, for 2562 points at least).
+   * (AUTOMATIC: as many points as the start has, and 2562 at least, whatever the size by then).
    * A component keeps at least some hundred points, however small it has become. What would need
    * more than two million points, and more than four times those that are there, is an error. Used
    * with Remeshing.

@@ -7,7 +7,6 @@
 #include "Mesh/MeshTopology.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace evolving
 {
@@ -94,16 +93,15 @@ bool hasDegenerateElements(const SurfaceMesh& surface, BoundaryMode mode, double
   return false;
 }
 
-double coveringEdgeLength(const SurfaceMesh& surface)
+double wantedVertices(const SurfaceMesh& start)
 {
-  const MeshTopology topology(surface);
-  double vertices = 0.0;
-  for (Index v = 0; v < surface.vertexCount(); ++v)
+  const MeshTopology topology(start);
+  double used = 0.0;
+  for (Index v = 0; v < start.vertexCount(); ++v)
   {
-    vertices += topology.isUsed(v) ? 1.0 : 0.0;
+    used += topology.isUsed(v) ? 1.0 : 0.0;
   }
-  return std::sqrt(
-    2.0 * surfaceArea(surface) / (std::sqrt(3.0) * std::max(vertices, LeastVertices)));
+  return std::max(used, LeastVertices);
 }
 
 } // namespace evolving

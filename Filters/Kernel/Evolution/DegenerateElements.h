@@ -24,11 +24,8 @@ namespace evolving
  */
 bool hasDegenerateElements(const SurfaceMesh& surface, BoundaryMode mode, double edgeLength);
 
-/**
- * The edge length with which as many equilateral triangles cover a surface as it has vertices, but
- * no fewer than show a smooth shape. Needles, as CAD programs make them, have a much larger mean.
- */
-double coveringEdgeLength(const SurfaceMesh& surface);
+/// How many vertices a surface shall have on its way: as many as it has, but enough to look smooth.
+double wantedVertices(const SurfaceMesh& start);
 
 } // namespace evolving
 

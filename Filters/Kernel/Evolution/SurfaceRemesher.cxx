@@ -22,6 +22,7 @@
 #include "Remeshing/VertexBudget.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace evolving
@@ -131,18 +132,30 @@ SurfaceRemesher::SurfaceRemesher(const SurfaceMesh& start, const SurfaceRemeshin
   , SmallestComponent(smallestComponentOf(start, options))
 {
   checkOptions(options);
-  if (!(options.edgeLength > 0.0))
+  if (options.onlyDegenerate)
   {
-    this->Options.edgeLength =
-      options.onlyDegenerate ? coveringEdgeLength(start) : meanEdgeLength(start);
+    this->Vertices = wantedVertices(start);
   }
+  else if (!(options.edgeLength > 0.0))
+  {
+    this->Options.edgeLength = meanEdgeLength(start);
+  }
+}
+
+/// Needles, as CAD programs make them, have a mean that is much too large.
+double SurfaceRemesher::edgeLength(const SurfaceMesh& surface) const
+{
+  return this->Options.edgeLength > 0.0
+    ? this->Options.edgeLength
+    : std::sqrt(2.0 * surfaceArea(surface) / (std::sqrt(3.0) * this->Vertices));
 }
 
 std::optional<SurfaceMesh> SurfaceRemesher::remesh(
   const RemeshingInput& input, const Execution& execution)
 {
   if (this->Options.onlyDegenerate &&
-    !hasDegenerateElements(input.surface, this->Options.boundaryMode, this->Options.edgeLength))
+    !hasDegenerateElements(
+      input.surface, this->Options.boundaryMode, this->edgeLength(input.surface)))
   {
     return std::nullopt;
   }
@@ -156,7 +169,7 @@ std::optional<SurfaceMesh> SurfaceRemesher::remesh(
   // What still is not good is a neck that is thin enough to be cut only now.
   const bool mayHaveNecks = this->Options.onlyDegenerate && input.distance.empty();
   for (int round = 0; mayHaveNecks && round < NeckRounds &&
-       hasDegenerateElements(*made, this->Options.boundaryMode, this->Options.edgeLength);
+       hasDegenerateElements(*made, this->Options.boundaryMode, this->edgeLength(*made));
        ++round)
   {
     const SurfaceMesh again = *made;
@@ -172,13 +185,13 @@ std::optional<SurfaceMesh> SurfaceRemesher::remeshTriangles(
   SurfaceMesh rest = withoutVanished(input, this->SmallestComponent);
   if (this->Options.onlyDegenerate && input.distance.empty())
   {
-    rest = withNecksCut(rest, this->Options.edgeLength);
+    rest = withNecksCut(rest, this->edgeLength(rest));
   }
   EditableSurface surface(rest);
   surface.compact();
   const SurfaceMesh evolved = surface.mesh();
   const double mostVertices = std::max(MostVertices, MostFiner * evolved.vertexCount());
-  setElementSizes(surface, this->Options.edgeLength, this->Options.sizing, mostVertices);
+  setElementSizes(surface, this->edgeLength(evolved), this->Options.sizing, mostVertices);
   const bool isWhole = evolved.faceCount() == input.surface.faceCount();
   const bool mayStay = !input.isLast && !this->Options.onlyDegenerate;
   if (isWhole && mayStay && hasGoodElements(surface, evolved))

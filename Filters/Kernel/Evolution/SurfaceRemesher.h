@@ -23,7 +23,7 @@ namespace evolving
 struct SurfaceRemeshingOptions
 {
   ElementSizing sizing = ElementSizing::Uniform;
-  double edgeLength = 0.0; ///< 0 = the start's, its mean or, of what degenerates, its covering one
+  double edgeLength = 0.0; ///< 0 = the mean of the start's; with onlyDegenerate as many as it has
   BoundaryMode boundaryMode = BoundaryMode::Fixed;
   bool onlyDegenerate = false; ///< elements stay until hasDegenerateElements()
 };
@@ -65,8 +65,8 @@ public:
   /// checkOptions()
   SurfaceRemesher(const SurfaceMesh& start, const SurfaceRemeshingOptions& options);
 
-  /// The mean length that edges should have.
-  double edgeLength() const { return this->Options.edgeLength; }
+  /// The mean length that edges of a surface should have.
+  double edgeLength(const SurfaceMesh& surface) const;
 
   /// @throws InputError as setElementSizes(). @throws Cancelled
   std::optional<SurfaceMesh> remesh(
@@ -77,6 +77,7 @@ private:
     const RemeshingInput& input, const Execution& execution);
 
   SurfaceRemeshingOptions Options;
+  double Vertices = 0.0;    ///< with onlyDegenerate: how many equilateral ones shall cover it
   double SmallestComponent; ///< area of one at the start
 };
 
