@@ -129,6 +129,10 @@ void EvolutionOutput::WriteState(
   {
     KernelBridge::AddFieldValue(output, "Stopped", this->Series.lastIteration());
   }
+  if (const auto& time = this->Series.extinctionTime())
+  {
+    KernelBridge::AddFieldValue(output, "ExtinctionTime", *time);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -119,8 +119,21 @@ std::optional<evolving::SurfaceRemeshingOptions> vtkSurfaceEvolution::RemeshingO
   {
     return std::nullopt;
   }
-  return evolving::SurfaceRemeshingOptions{ static_cast<evolving::ElementSizing>(this->Remeshing),
-    this->TargetEdgeLength, static_cast<evolving::BoundaryMode>(this->BoundaryMode) };
+  evolving::SurfaceRemeshingOptions options;
+  options.onlyDegenerate = this->Remeshing == AUTOMATIC;
+  options.sizing = this->Remeshing == CURVATURE_ADAPTIVE
+    ? evolving::ElementSizing::CurvatureAdaptive
+    : evolving::ElementSizing::Uniform;
+  options.edgeLength = this->TargetEdgeLength;
+  options.boundaryMode = static_cast<evolving::BoundaryMode>(this->BoundaryMode);
+  return options;
+}
+
+//------------------------------------------------------------------------------
+/// Times are published before there is data to choose a step from: then they count steps.
+double vtkSurfaceEvolution::PublishedTimeStep() const
+{
+  return this->TimeStep > 0.0 ? this->TimeStep : 1.0;
 }
 
 //------------------------------------------------------------------------------
@@ -130,7 +143,7 @@ int vtkSurfaceEvolution::RequestInformation(
   const auto published =
     evolving::publishedIterations(this->NumberOfSteps, this->SmoothingSteps, this->OutputInterval);
   TimeSteps::Publish(
-    outputVector->GetInformationObject(0), TimeSteps::Times(published, this->TimeStep));
+    outputVector->GetInformationObject(0), TimeSteps::Times(published, this->PublishedTimeStep()));
   TimeSteps::Remove(outputVector->GetInformationObject(1));
   return 1;
 }
@@ -181,8 +194,6 @@ int vtkSurfaceEvolution::RequestData(
   }
   const auto published =
     evolving::publishedIterations(this->NumberOfSteps, this->SmoothingSteps, this->OutputInterval);
-  const auto times = TimeSteps::Times(published, this->TimeStep);
-  const std::size_t step = TimeSteps::Requested(outputVector->GetInformationObject(0), times);
   Cache& cache = *this->Solved;
   cache.Check({ input, field },
     { this->Options(), this->RemeshingOptions(), this->OutputInterval, this->CacheLimit });
@@ -193,7 +204,17 @@ int vtkSurfaceEvolution::RequestData(
       {
         cache.Series = this->Solve(input, field, published, execution);
       }
+      // They may end earlier than published before: where the surface has shrunk to a point.
+      const auto times =
+        TimeSteps::Times(cache.Series->Flow().iterations(), this->PublishedTimeStep());
+      vtkInformation* information = outputVector->GetInformationObject(0);
+      if (cache.Series->Flow().extinctionTime())
+      {
+        TimeSteps::Publish(information, times);
+      }
+      const std::size_t step = TimeSteps::Requested(information, times);
       cache.Series->WriteState(step, output, execution);
+      KernelBridge::AddFieldValue(output, "TimeStep", cache.Series->Flow().timeStep());
       cache.Series->WriteHistory(history);
       TimeSteps::Mark(output, times[step]);
     });
@@ -203,9 +224,10 @@ int vtkSurfaceEvolution::RequestData(
 std::unique_ptr<EvolutionOutput> vtkSurfaceEvolution::Solve(vtkPolyData* input, vtkImageData* field,
   const std::vector<int>& published, const evolving::Execution& execution)
 {
-  const auto start = std::make_shared<const evolving::SurfaceMesh>(StartSurface(
-    this->Remeshing == OFF ? KernelBridge::ReadSurface(input)
-                           : KernelBridge::ReadTriangles(input, execution.phase(0.0, 0.0))));
+  const auto start = std::make_shared<const evolving::SurfaceMesh>(
+    StartSurface(this->Remeshing == OFF || this->Remeshing == AUTOMATIC
+        ? KernelBridge::ReadSurface(input)
+        : KernelBridge::ReadTriangles(input, execution.phase(0.0, 0.0))));
   std::shared_ptr<const evolving::ScalarImage> image;
   if (field)
   {

@@ -20,12 +20,14 @@
  * the flow is pure mean curvature flow.
  *
  * Output 0 is the surface at a time step: t = 0 is the start, then every OutputInterval-th step,
- * the last one always. An update without a time gives the last step, the result. The flow is
- * solved once, whatever the order in which times are asked for. Point arrays: SignedDistance,
- * DistanceGradient (with a field), Normals, MeanCurvature, CoVolume, NormalVelocity,
- * TangentialVelocity, RedistributionPotential; at the boundary MeanCurvature contains the pull
- * along the surface. Field data: Iteration, Time, Area, Volume, MeanDistance, MaxDistance,
- * MinAngle; and Stopped, the step after which the flow could not go on, where that happened.
+ * the last one always. An update without a time gives the last step, the result. Times are
+ * multiples of TimeStep; where that is automatic, which needs the surface, they are numbers of
+ * steps, and field data and history know the time itself. The flow is solved once, whatever the
+ * order in which times are asked for. Point arrays: SignedDistance, DistanceGradient (with a
+ * field), Normals, MeanCurvature, CoVolume, NormalVelocity, TangentialVelocity,
+ * RedistributionPotential; at the boundary MeanCurvature contains the pull along the surface. Field
+ * data: Iteration, Time, TimeStep, Area, Volume, MeanDistance, MaxDistance, MinAngle; and, where
+ * that happened, Stopped, the step after which the flow could not go on, or ExtinctionTime.
  *
  * No step turns an element over: where the flow would, at a neck that pinches off or at slivers,
  * points also move along the surface, go with those around them, or wait. A step that would turn
@@ -122,7 +124,8 @@ public:
   {
     OFF = 0,
     UNIFORM = 1,
-    CURVATURE_ADAPTIVE = 2
+    CURVATURE_ADAPTIVE = 2,
+    AUTOMATIC = 3
   };
 
   /// The field: a vtkImageData on input port 1.
@@ -130,9 +133,13 @@ public:
 
   ///@{
   /**
-   * Length of a time step tau. The default is 0.03, the range above 0.
+   * Length of a time step tau. 0, the default, is an automatic one, with which NumberOfSteps steps
+   * lead as far as one wants to see: without a field half of what a sphere-like surface takes to
+   * shrink to a point (with a boundary, until the minimal surface is reached), with a distance
+   * field until a thousandth of the distance is left, with an edge detector until the start itself
+   * would have vanished. The value is in the field data, TimeStep. The range is 0 to 1e12.
    */
-  vtkSetClampMacro(TimeStep, double, 1e-12, 1e12);
+  vtkSetClampMacro(TimeStep, double, 0.0, 1e12);
   vtkGetMacro(TimeStep, double);
   ///@}
 
@@ -343,8 +350,10 @@ public:
 
   ///@{
   /**
-   * End when no point moves faster than this fraction of L per time; later time steps repeat the
-   * last state. The default is 0: run all steps.
+   * End when no point moves faster than this fraction of L in the flow's own time, 1 / C with a
+   * distance field: then none is farther from where it comes to rest. By curvature alone that time
+   * is L^2 / C1, and no closed surface rests. Later time steps repeat the last state. 0: run all
+   * steps. The default is 0.001.
    */
   vtkSetClampMacro(ConvergenceTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ConvergenceTolerance, double);
@@ -352,24 +361,28 @@ public:
 
   ///@{
   /**
-   * New elements during the evolution, by splitting, collapsing and flipping edges: OFF (the
-   * default), UNIFORM, of one size, or CURVATURE_ADAPTIVE, about as many that are smaller where the
-   * surface is curved. Points, polygons and arrays of a time step are those of its elements; the
-   * start is as it was, but polygons are split into triangles. New points lie on the smooth
-   * surface that the evolved triangles stand for, so that nothing shrinks. A boundary keeps its
-   * shape: its edges are split, and only points in a straight line vanish (others, too, where it is
-   * FREE). Creases are not kept as such. The genus stays, also where a neck has closed.
+   * New elements during the evolution, by splitting, collapsing and flipping edges: OFF, UNIFORM,
+   * of one size, CURVATURE_ADAPTIVE, about as many that are smaller where the surface is curved, or
+   * AUTOMATIC (the default): the elements stay as they are, points and polygons, until one has an
+   * angle below 20 degrees (5 before sharp edges are rounded off), then there are uniform ones.
+   * Points, polygons and arrays of a time step are those of its elements; the start is as it was,
+   * but polygons are split into triangles (AUTOMATIC: when there are new elements). New points lie
+   * on the smooth surface that the evolved triangles stand for, so that nothing shrinks. A boundary
+   * keeps its shape: its edges are split, and only points in a straight line vanish (others, too,
+   * where it is FREE). Creases are not kept as such. The genus stays, also where a neck has closed.
    */
-  vtkSetClampMacro(Remeshing, int, OFF, CURVATURE_ADAPTIVE);
+  vtkSetClampMacro(Remeshing, int, OFF, AUTOMATIC);
   vtkGetMacro(Remeshing, int);
   void SetRemeshingToOff() { this->SetRemeshing(OFF); }
   void SetRemeshingToUniform() { this->SetRemeshing(UNIFORM); }
   void SetRemeshingToCurvatureAdaptive() { this->SetRemeshing(CURVATURE_ADAPTIVE); }
+  void SetRemeshingToAutomatic() { this->SetRemeshing(AUTOMATIC); }
   ///@}
 
   ///@{
   /**
-   * Mean edge length that remeshing aims at, in length units; 0, the default, is that of the start.
+   * Mean edge length that remeshing aims at, in length units; 0, the default, is that of the start
+   * (AUTOMATIC: as many points as the start has, and 2562 at least, whatever the size by then).
    * A component keeps at least some hundred points, however small it has become. What would need
    * more than two million points, and more than four times those that are there, is an error. Used
    * with Remeshing.
@@ -426,12 +439,13 @@ private:
   vtkSurfaceEvolution(const vtkSurfaceEvolution&) = delete;
   void operator=(const vtkSurfaceEvolution&) = delete;
 
+  double PublishedTimeStep() const;
   evolving::FlowOptions Options() const;
   std::optional<evolving::SurfaceRemeshingOptions> RemeshingOptions() const;
   std::unique_ptr<EvolutionOutput> Solve(vtkPolyData* input, vtkImageData* field,
     const std::vector<int>& published, const evolving::Execution& execution);
 
-  double TimeStep = 0.03;
+  double TimeStep = 0.0;
   int NumberOfSteps = 150;
   int OutputInterval = 1;
   double CurvatureSpeed = 0.1;
@@ -453,8 +467,8 @@ private:
   double SmoothingDecay = 0.1;
   int BoundaryMode = FIXED;
   double SurfaceGuard = 2.0;
-  double ConvergenceTolerance = 0.0;
-  int Remeshing = OFF;
+  double ConvergenceTolerance = 0.001;
+  int Remeshing = AUTOMATIC;
   double TargetEdgeLength = 0.0;
   int RemeshingInterval = 1;
   double SolverTolerance = 1e-10;

@@ -38,6 +38,8 @@ def moved(source, place):
 def evolution(start, field=None, **settings):
     """A surface evolution from a source, towards a distance field where there is one."""
     flow = es.vtkSurfaceEvolution()
+    flow.SetRemeshingToOff()            # elements stay, and all steps are made, as in the thesis
+    flow.SetConvergenceTolerance(0.0)
     connect(flow, start)
     if field is not None:
         flow.SetDistanceFieldConnection(field.GetOutputPort())

@@ -36,6 +36,8 @@ start.SetLevel(4)
 flow = es.vtkSurfaceEvolution()                  # no distance field: mean curvature flow
 flow.SetInputConnection(start.GetOutputPort())
 flow.SetRelativeUnits(False)
+flow.SetRemeshingToOff()
+flow.SetConvergenceTolerance(0.0)
 flow.SetCurvatureSpeed(1.0)
 flow.SetTimeStep(0.0005)
 flow.SetNumberOfSteps(400)

@@ -51,6 +51,8 @@ def spread_of_areas(surface):
 flow = es.vtkSurfaceEvolution()
 flow.SetInputData(distorted_sphere())
 flow.SetRelativeUnits(False)
+flow.SetRemeshingToOff()
+flow.SetConvergenceTolerance(0.0)
 flow.SetCurvatureSpeed(1.0)
 flow.SetTimeStep(TIME_STEP)
 flow.SetNumberOfSteps(SHOWN[-1])

@@ -3,7 +3,7 @@
 
 /**
  * @file
- * The two flows that the tests of vtkSurfaceEvolution run, and a look at their history.
+ * The two flows that the tests of vtkSurfaceEvolution run, and looks at their times and history.
  */
 
 #ifndef FlowSetups_h
@@ -11,6 +11,9 @@
 
 #include "vtkType.h"
 
+#include <vector>
+
+class vtkAlgorithm;
 class vtkPolyData;
 class vtkSurfaceEvolution;
 class vtkTable;
@@ -21,6 +24,9 @@ void SetUpCurvatureFlow(
 
 /// From a start around a sphere of radius 1 in an image onto it.
 void SetUpAttraction(vtkSurfaceEvolution* filter, vtkPolyData* start);
+
+/// The times that a filter publishes on a port.
+std::vector<double> TimesOf(vtkAlgorithm* filter, int port = 0);
 
 /// The table on the filter's second output.
 vtkTable* HistoryOf(vtkSurfaceEvolution* filter);

@@ -149,7 +149,7 @@ TEST(FieldErrors, ATargetFarAwayEndsInAResultOrAStop)
 {
   OntoImage run(Changed([](vtkImageData* image) { image->SetOrigin(10.0, 0.0, 0.0); }));
   vtkPolyData* output = run.Filter->GetOutput();
-  EXPECT_EQ(output->GetNumberOfPoints(), 162);
+  EXPECT_GE(output->GetNumberOfPoints(), 162);
   EXPECT_TRUE(IsFinite(output));
   EXPECT_EQ(run.Log.Errors.size(), output->GetFieldData()->HasArray("Stopped") ? 1u : 0u);
 }

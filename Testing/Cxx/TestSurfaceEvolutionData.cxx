@@ -86,8 +86,8 @@ TEST(SurfaceEvolutionData, FieldArraysMeasureTheSurface)
   SetUpAttraction(filter, Sample::Icosphere(2, 1.5));
   filter->UpdateTimeStep(0.5);
   vtkPolyData* output = filter->GetOutput();
-  const Names expected = { "Iteration", "Time", "Area", "Volume", "MeanDistance", "MaxDistance",
-    "MinAngle" };
+  const Names expected = { "Iteration", "Time", "TimeStep", "Area", "Volume", "MeanDistance",
+    "MaxDistance", "MinAngle" };
   EXPECT_EQ(ArrayNames(output->GetFieldData()), Sorted(expected));
   EXPECT_EQ(FieldValue(output, "Iteration"), 5.0);
   EXPECT_DOUBLE_EQ(FieldValue(output, "Time"), 0.5);

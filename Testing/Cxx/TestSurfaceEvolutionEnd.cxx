@@ -30,17 +30,19 @@ using Names = std::vector<std::string>;
 //------------------------------------------------------------------------------
 TEST(SurfaceEvolutionEnd, ASolveThatCannotGoOnKeepsWhatWasReached)
 {
-  // The sphere is a point at t = 0.25.
+  // The field draws the surface to a sphere far outside of the image; the guard lets none go there.
   vtkNew<vtkSurfaceEvolution> filter;
   EventLog log(filter);
-  SetUpCurvatureFlow(filter, Sample::Icosphere(2), 0.02, 30);
+  SetUpAttraction(filter, Sample::Icosphere(2, 0.5));
+  filter->SetInputData(1, Sample::SphereImage(17, 2.0, 10.0));
+  filter->SetTimeStep(0.02);
   filter->Update();
   ASSERT_EQ(log.Errors.size(), 1u);
   EXPECT_TRUE(IsOneSentence(log.Errors.front()));
   vtkPolyData* output = filter->GetOutput();
   const double stopped = FieldValue(output, "Stopped");
   EXPECT_GT(stopped, 5.0);
-  EXPECT_LT(stopped, 29.0);
+  EXPECT_LT(stopped, 39.0);
   EXPECT_EQ(FieldValue(output, "Iteration"), stopped);
   EXPECT_EQ(output->GetNumberOfPoints(), 162);
   EXPECT_TRUE(IsFinite(output));
@@ -48,10 +50,41 @@ TEST(SurfaceEvolutionEnd, ASolveThatCannotGoOnKeepsWhatWasReached)
   // An earlier step is as it was, a later one repeats the last; nobody is told again.
   filter->UpdateTimeStep(0.04);
   EXPECT_EQ(FieldValue(filter->GetOutput(), "Iteration"), 2.0);
-  filter->UpdateTimeStep(0.6);
+  filter->UpdateTimeStep(0.8);
   EXPECT_EQ(FieldValue(filter->GetOutput(), "Iteration"), stopped);
   EXPECT_EQ(log.Errors.size(), 1u);
   EXPECT_EQ(filter->GetNumberOfSolves(), 1);
+}
+
+//------------------------------------------------------------------------------
+TEST(SurfaceEvolutionEnd, ExtinctionIsAnEndAndNoError)
+{
+  vtkNew<vtkSurfaceEvolution> filter;
+  EventLog log(filter);
+  SetUpCurvatureFlow(filter, Sample::Icosphere(3), 0.005, 100);
+  filter->SetOutputInterval(7);
+  EXPECT_EQ(TimesOf(filter).size(), 16u); // as they were asked for
+  filter->Update();
+  EXPECT_TRUE(log.Errors.empty());
+  vtkPolyData* output = filter->GetOutput();
+  EXPECT_FALSE(output->GetFieldData()->HasArray("Stopped"));
+  const double end = FieldValue(output, "ExtinctionTime");
+  EXPECT_NEAR(end, 0.25, 0.015); // implicit steps are late by three of them
+  // The last time is that of the last good surface.
+  const double last = FieldValue(output, "Time");
+  EXPECT_GT(last, end - 0.005);
+  EXPECT_EQ(TimesOf(filter).back(), last);
+  EXPECT_GT(FieldValue(output, "Area"), 0.0);
+  EXPECT_GT(FieldValue(output, "MinAngle"), 40.0);
+  EXPECT_EQ(FieldValue(output, "Iteration"), HistoryOf(filter)->GetNumberOfRows() - 1.0);
+  filter->UpdateTimeStep(0.5);
+  EXPECT_EQ(FieldValue(filter->GetOutput(), "Time"), last);
+  filter->UpdateTimeStep(0.035);
+  EXPECT_EQ(FieldValue(filter->GetOutput(), "Iteration"), 7.0);
+  EXPECT_EQ(filter->GetNumberOfSolves(), 1);
+  // Another run has other times.
+  filter->SetTimeStep(0.001);
+  EXPECT_EQ(TimesOf(filter).back(), 100 * 0.001);
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 // vtkSurfaceEvolution in a pipeline: which times it has, which it gives, how often it solves.
 
 #include "DataChecks.h"
+#include "FlowSetups.h"
 #include "SampleSurfaces.h"
 #include "SurfaceMeasures.h"
 #include "TemporalSphere.h"
@@ -25,20 +26,11 @@ namespace
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 //------------------------------------------------------------------------------
-std::vector<double> TimesOf(vtkAlgorithm* filter, int port = 0)
-{
-  filter->UpdateInformation();
-  vtkInformation* info = filter->GetOutputInformation(port);
-  const double* times = info->Get(Pipeline::TIME_STEPS());
-  return times ? std::vector<double>(times, times + info->Length(Pipeline::TIME_STEPS()))
-               : std::vector<double>();
-}
-
-//------------------------------------------------------------------------------
 void Prepare(vtkSurfaceEvolution* filter, int steps)
 {
   filter->SetTimeStep(0.1);
   filter->SetNumberOfSteps(steps);
+  filter->SetCurvatureSpeed(0.01); // far from a point
 }
 
 //------------------------------------------------------------------------------

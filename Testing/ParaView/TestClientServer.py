@@ -45,7 +45,7 @@ class ClientServer(unittest.TestCase):
             pv.LoadPlugin(PLUGIN, remote=remote, ns=vars(pv))
         sdf = pv.MeshSDF(Input=pv.Icosphere(Level=3), SampleDimensions=[24, 24, 24])
         cls.evolution = pv.SurfaceEvolution(Input=pv.Icosphere(Level=2, Radius=1.4),
-                                            DistanceField=sdf, NumberOfSteps=5)
+                                            DistanceField=sdf, NumberOfSteps=5, TimeStep=0.03)
 
     @classmethod
     def tearDownClass(cls):

@@ -34,7 +34,7 @@ def drawn(display):
 
 def evolution_onto_a_sphere():
     sdf = pv.MeshSDF(Input=pv.Icosphere(Level=3), SampleDimensions=[24, 24, 24])
-    return pv.SurfaceEvolution(registrationName="Evolution", DistanceField=sdf, NumberOfSteps=5,
+    return pv.SurfaceEvolution(registrationName="Evolution", DistanceField=sdf, NumberOfSteps=5, TimeStep=0.03,
                                Input=pv.Icosphere(Level=2, Radius=1.4), CurvatureSpeed=0.2)
 
 

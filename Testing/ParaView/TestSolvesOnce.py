@@ -36,7 +36,7 @@ class SolvesOnce(unittest.TestCase):
     def with_a_field(self, **properties):
         sdf = pv.MeshSDF(Input=self.sphere, SampleDimensions=[24, 24, 24])
         start = pv.Icosphere(Level=2, Radius=1.4)
-        return pv.SurfaceEvolution(Input=start, DistanceField=sdf, **properties)
+        return pv.SurfaceEvolution(Input=start, DistanceField=sdf, TimeStep=0.03, **properties)
 
     def browse(self, proxy, name):
         """What a user does with a time series; the number of solves after each part."""
@@ -75,6 +75,21 @@ class SolvesOnce(unittest.TestCase):
         self.assert_once(self.browse(evolution, "evolution"))
         self.assertEqual(len(pv.GetAnimationScene().TimeKeeper.TimestepValues), 6)
         self.assertEqual(len(list(OUTPUT.glob("evolution.*.png"))), 6)
+
+    def test_times_end_where_a_surface_vanishes(self):
+        evolution = pv.SurfaceEvolution(Input=self.sphere, NumberOfSteps=100, TimeStep=0.02)
+        evolution.UpdatePipelineInformation()
+        self.assertEqual(len(evolution.TimestepValues), 101)
+        view = pv.GetActiveView()
+        scene = pv.GetAnimationScene()
+        scene.UpdateAnimationUsingDataTimeSteps()
+        pv.Show(evolution, view)
+        pv.Render(view)
+        scene.UpdateAnimationUsingDataTimeSteps()
+        self.assertLess(len(scene.TimeKeeper.TimestepValues), 60)
+        last = data_of(evolution, 2.0).GetFieldData().GetArray("Time").GetValue(0)
+        self.assertEqual(evolution.TimestepValues[-1], last)
+        self.assertEqual(solves(evolution), 1)
 
     def test_surface_evolution_with_a_field(self):
         self.assert_once(self.browse(self.with_a_field(NumberOfSteps=5), "field"))

@@ -23,7 +23,8 @@ CONSTANTS = {
         "WEIGHTED_EDGES": 0, "SHAPE": 1,
         "WEIGHTING_NONE": 0, "INVERSE_AREA": 1, "DISTANCE": 2,
         "CONTROL_NONE": 0, "CUBE_ROOT": 1, "TWO_THIRDS": 2, "EXPONENTIAL": 3,
-        "FIXED": 0, "SLIDE_ALONG": 1, "FREE": 2, "OFF": 0, "UNIFORM": 1, "CURVATURE_ADAPTIVE": 2},
+        "FIXED": 0, "SLIDE_ALONG": 1, "FREE": 2, "OFF": 0, "UNIFORM": 1, "CURVATURE_ADAPTIVE": 2,
+        "AUTOMATIC": 3},
     "vtkTangentialRedistribution": {
         "WEIGHTED_EDGES": 0, "SHAPE": 1,
         "WEIGHTING_NONE": 0, "INVERSE_AREA": 1,

@@ -115,13 +115,18 @@ bool EvolvingSurface::remesh(bool isLast, const Execution& execution)
     validate(*remeshed);
     this->setElements(
       std::make_shared<const SurfaceMesh>(std::move(*remeshed)), execution.phase(0.8, 0.9));
+    this->Guard.require(this->mesh(), execution.phase(0.9, 1.0));
+  }
+  catch (const SurfaceVanished&)
+  {
+    // The flow had left one.
+    throw SolverError("remeshing made no surface that can be evolved, expected one with an area.");
   }
   catch (const InputError& error)
   {
     throw SolverError(
       std::string("remeshing made no surface that can be evolved: ") + error.what());
   }
-  this->Guard.require(this->mesh(), execution.phase(0.9, 1.0));
   return true;
 }
 

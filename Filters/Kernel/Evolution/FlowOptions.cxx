@@ -16,7 +16,7 @@ bool operator==(const FlowOptions& a, const FlowOptions& b)
 void checkOptions(const FlowOptions& options)
 {
   const FlowOptions& o = options;
-  checkRange("TimeStep", o.timeStep, AboveZero, AnyNumber, "set 0.03 when in doubt");
+  checkRangeOrZero("TimeStep", o.timeStep, AboveZero, AnyNumber, "0 means an automatic one");
   checkRange("NumberOfSteps", o.numberOfSteps, 0.0, AnyNumber, "0 gives the start alone");
   checkRange("CurvatureSpeed", o.curvatureSpeed, 0.0, AnyNumber, "0 switches this term off");
   checkRange("CurvatureRange", o.curvatureRange, AboveZero, AnyNumber, "set 0.1 when in doubt");

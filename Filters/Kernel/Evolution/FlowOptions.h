@@ -23,9 +23,12 @@ enum class FieldMode
   EdgeDetector = 1,  ///< an image I, or e itself when edgeSharpness is 0
 };
 
+/// Times beyond it, multiplied by numbers of steps and speeds, would soon be none.
+constexpr double LongestTimeStep = 1e12;
+
 struct FlowOptions
 {
-  double timeStep = 0.01;
+  double timeStep = 0.01; ///< 0 = automatic, see automaticTimeStep()
   int numberOfSteps = 100;
   double curvatureSpeed = 1.0;   ///< C1 of (3.7), b of an edge detector; epsilon without a field
   double curvatureRange = 1.0;   ///< C2 of (3.7)
@@ -41,7 +44,7 @@ struct FlowOptions
   double smoothingDecay = 0.0; ///< lambda, per smoothing step
   BoundaryMode boundaryMode = BoundaryMode::Fixed;
   double surfaceGuard = 2.0;         ///< of the box of start and field; leaving it ends the flow
-  double convergenceTolerance = 0.0; ///< fraction of L; 0 = run all steps
+  double convergenceTolerance = 0.0; ///< see FlowSetup::restingMove; 0 = run all steps
   int stallSteps = 0; ///< without getting nearer to the target, see StallTest; 0 = any number
   double longestAdvection = 0.0; ///< of a vertex in a step, in its mean edge lengths; 0 = any
   int remeshingInterval = 1;     ///< steps from remeshing to remeshing, with a remesher
@@ -73,10 +76,10 @@ inline auto membersOf(const FlowOptions& options)
 bool operator==(const FlowOptions& a, const FlowOptions& b);
 
 /**
- * @throws InputError when a parameter is not a finite number or out of its range: the time step
- * and curvatureRange positive, counts, speeds and rates not negative, advectionBalance in [0, 1],
- * longestAdvection not negative, solverTolerance in (0, 0.1], surfaceGuard and remeshingInterval at
- * least 1.
+ * @throws InputError when a parameter is not a finite number or out of its range:
+ * curvatureRange positive, the time step, counts, speeds and rates not negative, advectionBalance
+ * in [0, 1], longestAdvection not negative, solverTolerance in (0, 0.1], surfaceGuard and
+ * remeshingInterval at least 1.
  */
 void checkOptions(const FlowOptions& options);
 

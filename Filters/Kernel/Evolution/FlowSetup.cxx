@@ -4,6 +4,7 @@
 #include "Evolution/FlowSetup.h"
 
 #include "Errors.h"
+#include "Evolution/AutomaticTimeStep.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +49,18 @@ double advectionRate(const FlowOptions& options, const ScalarImage* field)
   return isPulled ? options.advectionSpeed * std::hypot(1.0, options.advectionBalance) : 0.0;
 }
 
+/// 1 / time: of the flow's own time.
+double rateOf(const FlowOptions& options, const ScalarImage* field, double size)
+{
+  const double perArea = 1.0 / (size * size);
+  if (!field || options.advectionSpeed == 0.0)
+  {
+    return options.curvatureSpeed * perArea;
+  }
+  const bool isDistance = options.fieldMode == FieldMode::DistanceField;
+  return isDistance ? options.advectionSpeed : options.advectionSpeed * perArea;
+}
+
 } // namespace
 
 FlowSetup setUpFlow(const SurfaceMesh& start, const ScalarImage* field, const FlowOptions& options)
@@ -57,9 +70,15 @@ FlowSetup setUpFlow(const SurfaceMesh& start, const ScalarImage* field, const Fl
   FlowSetup setup;
   setup.size = sizeOf(start, field, options.fieldMode);
   setup.lengthUnit = options.relativeUnits ? setup.size : 1.0;
-  const double rate = advectionRate(options, field);
-  setup.parts = divideStep(options.timeStep, options.redistribution, rate);
   setup.options = inAbsoluteUnits(options, setup.lengthUnit);
+  if (options.timeStep == 0.0)
+  {
+    setup.options.timeStep = automaticTimeStep(start, field != nullptr, setup.options, setup.size);
+  }
+  setup.restingMove = options.convergenceTolerance * setup.size *
+    rateOf(setup.options, field, setup.size) * setup.options.timeStep;
+  const double rate = advectionRate(options, field);
+  setup.parts = divideStep(setup.options.timeStep, options.redistribution, rate);
   setup.options.redistribution = limitRates(setup.options.redistribution, setup.parts.timeStep);
   setup.options.advectionSpeed /=
     std::max(1.0, rate * setup.parts.timeStep / ExplicitLimits::Advection);

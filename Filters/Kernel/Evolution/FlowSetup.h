@@ -19,10 +19,15 @@ namespace evolving
 
 struct FlowSetup
 {
-  FlowOptions options;     ///< in absolute units; rates lowered to what a sub-step bears
+  FlowOptions options;     ///< in absolute units, with a time step; rates as a sub-step bears them
   double size = 1.0;       ///< L, whether or not the options were relative
   double lengthUnit = 1.0; ///< what the options were scaled by
   SubSteps parts;          ///< of every time step
+  /// A vertex that moves less along its normal in a step is at rest: by convergenceTolerance times
+  /// L in the flow's own time, 1 / C towards a target, and L^2 / C1 by curvature alone. So neither
+  /// units nor step lengths count, and no closed surface rests, for somewhere its H is at least 2 /
+  /// L.
+  double restingMove = 0.0;
 };
 
 /**

@@ -38,6 +38,7 @@ StateSeries::StateSeries(MakeFlow makeFlow, std::vector<int> published, std::siz
   , States(memoryLimit, flowBytes)
 {
   SurfaceFlow flow = this->Make(execution);
+  this->TimeStep = flow.timeStep();
   try
   {
     this->run(flow, execution, observe);
@@ -70,13 +71,15 @@ void StateSeries::run(SurfaceFlow& flow, const Execution& execution, const Obser
     }
     if (flow.isFinished())
     {
+      this->ExtinctionTime = flow.extinctionTime();
       return;
     }
     flow.step();
-    if (!flow.stopReason().empty())
+    if (flow.record().iteration == iteration)
     {
       // The step was undone: the state before it is the last one, with its final elements.
       this->StopReason = flow.stopReason();
+      this->ExtinctionTime = flow.extinctionTime();
       this->History.back() = flow.record();
       this->keep(flow);
       if (observe)
@@ -86,6 +89,19 @@ void StateSeries::run(SurfaceFlow& flow, const Execution& execution, const Obser
       return;
     }
   }
+}
+
+std::vector<int> StateSeries::iterations() const
+{
+  std::vector<int> iterations = this->Published;
+  if (this->ExtinctionTime)
+  {
+    const int last = this->lastIteration();
+    iterations.erase(
+      std::lower_bound(iterations.begin(), iterations.end(), last), iterations.end());
+    iterations.push_back(last);
+  }
+  return iterations;
 }
 
 /// Those kept are the first published ones.

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,7 +59,7 @@ public:
     const Execution& execution, std::size_t flowBytes = 0, const Observe& observe = {});
 
   /**
-   * The state published as number i. After convergence or a stop the last state reached.
+   * The state published as number i. After convergence or an early end the last state reached.
    * @throws Cancelled
    */
   std::shared_ptr<const FlowState> state(std::size_t i, const Execution& execution);
@@ -67,6 +68,12 @@ public:
   const std::vector<FlowRecord>& history() const { return this->History; }
   /// As SurfaceFlow::stopReason().
   const std::string& stopReason() const { return this->StopReason; }
+  /// As SurfaceFlow::extinctionTime().
+  const std::optional<double>& extinctionTime() const { return this->ExtinctionTime; }
+  /// Those published; where the surface has shrunk to a point, those up to its last state.
+  std::vector<int> iterations() const;
+  /// As SurfaceFlow::timeStep().
+  double timeStep() const { return this->TimeStep; }
   /// The iteration of the last state reached.
   int lastIteration() const { return this->History.back().iteration; }
 
@@ -81,6 +88,8 @@ private:
   KeptStates States;
   std::vector<FlowRecord> History;
   std::string StopReason;
+  std::optional<double> ExtinctionTime;
+  double TimeStep = 0.0;
 };
 
 } // namespace evolving

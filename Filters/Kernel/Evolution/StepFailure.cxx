@@ -4,6 +4,7 @@
 #include "Evolution/StepFailure.h"
 
 #include "Errors.h"
+#include "Evolution/SurfaceGuard.h"
 
 #include <new>
 
@@ -19,6 +20,10 @@ StepFailure failureOf(const std::exception_ptr& exception)
   catch (const Cancelled&)
   {
     throw;
+  }
+  catch (const SurfaceVanished& end)
+  {
+    return { end.what(), true, false, true };
   }
   catch (const SolverError& error)
   {

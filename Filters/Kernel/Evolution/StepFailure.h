@@ -20,6 +20,7 @@ struct StepFailure
   std::string reason;
   bool mayPassInParts = false; ///< shorter steps may do what this one could not
   bool isOfInput = false;      ///< what the step was given cannot be used: an InputError
+  bool isExtinction = false;   ///< nothing is wrong: the surface has shrunk to a point
 };
 
 /**

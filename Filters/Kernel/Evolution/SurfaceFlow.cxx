@@ -30,6 +30,7 @@ SurfaceFlow::SurfaceFlow(std::shared_ptr<const SurfaceMesh> start,
   : Setup(setUpFlow(*start, field.get(), options))
   , Run(execution)
   , Center(boundingBox(*start).center())
+  , Extinction(*start, field != nullptr, this->Setup.options)
   , Surface(std::move(start), std::move(field), std::move(remesher), this->Setup,
       execution.phase(0.0, 0.0))
 {
@@ -42,6 +43,11 @@ SurfaceFlow::SurfaceFlow(std::shared_ptr<const SurfaceMesh> start,
     throw InputError(std::string("The start surface cannot be evolved: ") + error.what());
   }
   this->hasStalled(); // looks at the start
+  this->Extinction.begin(this->Record, this->Arrays);
+  if (this->isVanishing())
+  {
+    this->endByExtinction();
+  }
 }
 
 int SurfaceFlow::totalSteps() const
@@ -51,7 +57,8 @@ int SurfaceFlow::totalSteps() const
 
 bool SurfaceFlow::isFinished() const
 {
-  return !this->StopReason.empty() || this->Record.iteration >= this->totalSteps() ||
+  return !this->StopReason.empty() || this->ExtinctionTime ||
+    this->Record.iteration >= this->totalSteps() ||
     (this->Converged && this->Setup.options.smoothingSteps == 0);
 }
 
@@ -126,7 +133,14 @@ void SurfaceFlow::stepOrStop()
   {
     throw InputError(failure->reason); // nothing but the input has been reached
   }
-  this->StopReason = endSentence(this->Record.iteration + 1, failure->reason);
+  if (failure->isExtinction)
+  {
+    this->endByExtinction();
+  }
+  else
+  {
+    this->StopReason = endSentence(this->Record.iteration + 1, failure->reason);
+  }
   this->tidyLastState();
 }
 
@@ -182,18 +196,36 @@ void SurfaceFlow::arrive(const std::vector<Vec3>& before, const Execution& execu
   }
   this->evaluate(execution.phase(0.4, 0.5));
   const bool isStuck = isTowardsTarget && isRenewed && this->hasStalled();
-  if (isStuck && !isLast)
+  const bool isVanishing = this->isVanishing();
+  if ((isStuck || isVanishing) && !isLast)
   {
     this->Surface.remesh(true, execution.phase(0.5, 0.9));
     this->evaluate(execution.phase(0.9, 1.0));
   }
   this->Converged = this->Converged || hasStopped || isStuck;
+  if (isVanishing)
+  {
+    this->endByExtinction();
+  }
+}
+
+/// Would the next step be the one in which the surface shrinks to a point?
+bool SurfaceFlow::isVanishing() const
+{
+  return this->Record.iteration < this->Setup.options.numberOfSteps &&
+    this->Extinction.isLastBefore(this->Record, this->Arrays);
+}
+
+void SurfaceFlow::endByExtinction()
+{
+  const double left = this->Extinction.timeLeft(this->Record, this->Arrays);
+  this->ExtinctionTime = this->Record.time + std::min(left, this->Setup.options.timeStep);
 }
 
 bool SurfaceFlow::hasStoppedMoving(const std::vector<Vec3>& before) const
 {
   return farthestNormalMove(before, this->mesh().points, this->Arrays.normal) <
-    this->Setup.options.convergenceTolerance * this->Setup.size;
+    this->Setup.restingMove;
 }
 
 /// Intensities of an edge detector are no distances.
@@ -246,6 +278,7 @@ void SurfaceFlow::resume(const FlowState& state)
   const Execution execution = this->stepExecution();
   this->restore(state, execution);
   this->StopReason.clear();
+  this->ExtinctionTime.reset();
   this->evaluate(execution);
   this->Record = state.record;
 }

@@ -11,6 +11,7 @@
 #define EVOLVING_SURFACE_FLOW_H
 
 #include "Evolution/EvolvingSurface.h"
+#include "Evolution/ExtinctionTest.h"
 #include "Evolution/FlowOptions.h"
 #include "Evolution/FlowSetup.h"
 #include "Evolution/FlowState.h"
@@ -56,13 +57,17 @@ public:
   /// Steps with smoothing steps: the iteration of the last state when nothing stops the flow.
   int totalSteps() const;
   /**
-   * True after the last step, after a stop, and after convergence unless smoothing steps follow;
-   * then the steps up to the first smoothing step repeat the state.
+   * True after the last step, after a stop, at an extinction, and after convergence unless
+   * smoothing steps follow; then the steps up to the first smoothing step repeat the state.
    */
   bool isFinished() const;
-  /// No vertex moved farther along its normal in a step than convergenceTolerance, or the farthest
-  /// one came no nearer to the target in stallSteps steps (looked at where remeshing is due).
+  /// No vertex moved farther along its normal in a step than FlowSetup::restingMove, or the
+  /// farthest one came no nearer to the target in stallSteps steps (looked at where remeshing is
+  /// due).
   bool hasConverged() const { return this->Converged; }
+  /// When the surface shrinks to a point, where that ends the flow: in the step after the state.
+  /// The state is the last good surface.
+  const std::optional<double>& extinctionTime() const { return this->ExtinctionTime; }
   /// Empty, or one sentence that says at which step and why the flow ended; that step is undone.
   const std::string& stopReason() const { return this->StopReason; }
 
@@ -85,6 +90,8 @@ public:
   void resume(const FlowState& state);
   /// L of the relative units: the unit the options were scaled by; 1 when they are absolute.
   double lengthUnit() const { return this->Setup.lengthUnit; }
+  /// As the options say, or the automatic one.
+  double timeStep() const { return this->Setup.options.timeStep; }
 
 private:
   bool isSmoothing() const;
@@ -96,6 +103,8 @@ private:
   void restore(const FlowState& state, const Execution& execution);
   void arrive(const std::vector<Vec3>& before, const Execution& execution);
   void repeatState();
+  bool isVanishing() const;
+  void endByExtinction();
   void countIteration();
   bool hasStoppedMoving(const std::vector<Vec3>& before) const;
   bool hasStalled();
@@ -103,11 +112,13 @@ private:
   FlowSetup Setup;
   Execution Run;
   Vec3 Center; ///< of the start
+  ExtinctionTest Extinction;
   EvolvingSurface Surface;
   StateArrays Arrays;
   FlowRecord Record;
   StallTest Stall;
   bool Converged = false;
+  std::optional<double> ExtinctionTime;
   std::string StopReason;
 };
 

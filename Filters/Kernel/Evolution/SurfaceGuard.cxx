@@ -3,7 +3,6 @@
 
 #include "Evolution/SurfaceGuard.h"
 
-#include "Errors.h"
 #include "ParallelLoops.h"
 #include "Redistribution/VanishedComponents.h"
 
@@ -29,7 +28,8 @@ void SurfaceGuard::require(const SurfaceMesh& mesh, const Execution& execution) 
     execution, mesh.faceCount(), [&](Index face) { return faceVectorArea(mesh, face).norm(); });
   if (area < SmallestAreaPart * this->StartArea)
   {
-    throw SolverError("the surface has shrunk to points, expected fewer or shorter time steps.");
+    throw SurfaceVanished(
+      "the surface has shrunk to points, expected fewer or shorter time steps.");
   }
 }
 

@@ -9,12 +9,20 @@
 #ifndef EVOLVING_SURFACE_GUARD_H
 #define EVOLVING_SURFACE_GUARD_H
 
+#include "Errors.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
 #include "Types.h"
 
 namespace evolving
 {
+
+/// A step left next to nothing of the surface: less than SmallestAreaPart of the start.
+class SurfaceVanished : public SolverError
+{
+public:
+  using SolverError::SolverError;
+};
 
 /// The conditions that every state of a flow must meet.
 class SurfaceGuard
@@ -28,8 +36,8 @@ public:
   SurfaceGuard(const SurfaceMesh& start, const Box& image, double guard);
 
   /**
-   * @throws SolverError that says what is wrong, when a coordinate is not finite, a point has
-   * left the box, or the surface has vanished
+   * @throws SolverError that says what is wrong, when a coordinate is not finite or a point has
+   * left the box. @throws SurfaceVanished
    */
   void require(const SurfaceMesh& mesh, const Execution& execution) const;
 

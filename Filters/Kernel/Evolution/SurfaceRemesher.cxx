@@ -4,8 +4,11 @@
 #include "Evolution/SurfaceRemesher.h"
 
 #include "Errors.h"
+#include "Evolution/DegenerateElements.h"
+#include "Evolution/NeckSurgery.h"
 #include "Mesh/MeshQuality.h"
 #include "Mesh/MeshTopology.h"
+#include "Mesh/PolygonTriangulation.h"
 #include "Mesh/SelfIntersections.h"
 #include "ParallelLoops.h"
 #include "ParameterRange.h"
@@ -19,6 +22,7 @@
 #include "Remeshing/VertexBudget.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace evolving
@@ -35,6 +39,8 @@ constexpr double FewEdges = 0.01;
 constexpr int Passes = 2;
 constexpr int LastPasses = 5;
 constexpr int PolishPasses = 2;
+/// Two are enough for all but threads that begin with many points around.
+constexpr int NeckRounds = 3;
 /// At the end smallest angles up to this are worth a search, in degrees; and how many rounds of it.
 constexpr double WantedAngle = 40.0;
 constexpr int StarRounds = 3;
@@ -45,9 +51,9 @@ constexpr double OnTheWay = 2.0;
 /// Of a boundary that must keep its shape, in sizes: rounding of vertices in a straight line.
 constexpr double StraightCut = 1e-6;
 
-double smallestComponentOf(const SurfaceMesh& start)
+double smallestComponentOf(const SurfaceMesh& start, const SurfaceRemeshingOptions& options)
 {
-  if (!start.hasOnlyTriangles())
+  if (!options.onlyDegenerate && !start.hasOnlyTriangles())
   {
     throw InputError("The start surface has faces that are not triangles, expected triangles only "
                      "where it is remeshed.");
@@ -94,13 +100,13 @@ bool hasGoodElements(const EditableSurface& surface, const SurfaceMesh& mesh)
 }
 
 void renew(EditableSurface& surface, const ReferenceSurface& reference,
-  const RemeshingOptions& options, bool isLast, const Execution& execution)
+  const RemeshingOptions& options, bool isThorough, const Execution& execution)
 {
-  for (int pass = 0; pass < (isLast ? LastPasses : Passes); ++pass)
+  for (int pass = 0; pass < (isThorough ? LastPasses : Passes); ++pass)
   {
     remeshOnce(surface, reference, options, execution);
   }
-  if (isLast)
+  if (isThorough)
   {
     for (int pass = 0; pass < PolishPasses; ++pass)
     {
@@ -123,25 +129,72 @@ void checkOptions(const SurfaceRemeshingOptions& options)
 
 SurfaceRemesher::SurfaceRemesher(const SurfaceMesh& start, const SurfaceRemeshingOptions& options)
   : Options(options)
-  , SmallestComponent(smallestComponentOf(start))
+  , SmallestComponent(smallestComponentOf(start, options))
 {
   checkOptions(options);
-  if (!(options.edgeLength > 0.0))
+  if (options.onlyDegenerate)
+  {
+    this->Vertices = wantedVertices(start);
+  }
+  else if (!(options.edgeLength > 0.0))
   {
     this->Options.edgeLength = meanEdgeLength(start);
   }
 }
 
+/// Needles, as CAD programs make them, have a mean that is much too large.
+double SurfaceRemesher::edgeLength(const SurfaceMesh& surface) const
+{
+  return this->Options.edgeLength > 0.0
+    ? this->Options.edgeLength
+    : std::sqrt(2.0 * surfaceArea(surface) / (std::sqrt(3.0) * this->Vertices));
+}
+
 std::optional<SurfaceMesh> SurfaceRemesher::remesh(
   const RemeshingInput& input, const Execution& execution)
 {
-  EditableSurface surface(withoutVanished(input, this->SmallestComponent));
+  if (this->Options.onlyDegenerate &&
+    !hasDegenerateElements(
+      input.surface, this->Options.boundaryMode, this->edgeLength(input.surface)))
+  {
+    return std::nullopt;
+  }
+  std::vector<Index> oldFace;
+  const bool isReady = input.surface.hasOnlyTriangles();
+  const SurfaceMesh triangles =
+    isReady ? SurfaceMesh() : triangulate(input.surface, oldFace, execution.phase(0.0, 0.0));
+  const SurfaceMesh& surface = isReady ? input.surface : triangles;
+  std::optional<SurfaceMesh> made =
+    this->remeshTriangles({ surface, input.before, input.distance, input.isLast }, execution);
+  // What still is not good is a neck that is thin enough to be cut only now.
+  const bool mayHaveNecks = this->Options.onlyDegenerate && input.distance.empty();
+  for (int round = 0; mayHaveNecks && round < NeckRounds &&
+       hasDegenerateElements(*made, this->Options.boundaryMode, this->edgeLength(*made));
+       ++round)
+  {
+    const SurfaceMesh again = *made;
+    made = this->remeshTriangles(
+      { again, again.points, input.distance, input.isLast }, execution.phase(1.0, 1.0));
+  }
+  return made;
+}
+
+std::optional<SurfaceMesh> SurfaceRemesher::remeshTriangles(
+  const RemeshingInput& input, const Execution& execution)
+{
+  SurfaceMesh rest = withoutVanished(input, this->SmallestComponent);
+  if (this->Options.onlyDegenerate && input.distance.empty())
+  {
+    rest = withNecksCut(rest, this->edgeLength(rest));
+  }
+  EditableSurface surface(rest);
   surface.compact();
   const SurfaceMesh evolved = surface.mesh();
   const double mostVertices = std::max(MostVertices, MostFiner * evolved.vertexCount());
-  setElementSizes(surface, this->Options.edgeLength, this->Options.sizing, mostVertices);
+  setElementSizes(surface, this->edgeLength(evolved), this->Options.sizing, mostVertices);
   const bool isWhole = evolved.faceCount() == input.surface.faceCount();
-  if (isWhole && !input.isLast && hasGoodElements(surface, evolved))
+  const bool mayStay = !input.isLast && !this->Options.onlyDegenerate;
+  if (isWhole && mayStay && hasGoodElements(surface, evolved))
   {
     return std::nullopt;
   }
@@ -153,7 +206,9 @@ std::optional<SurfaceMesh> SurfaceRemesher::remesh(
   {
     options.guards.deepestCut = StraightCut;
   }
-  const auto stage = [&](EditableSurface& s) { renew(s, reference, options, input.isLast, now); };
+  // What is made anew once in a while is made as good as can be, to stay so for long.
+  const bool isThorough = input.isLast || this->Options.onlyDegenerate;
+  const auto stage = [&](EditableSurface& s) { renew(s, reference, options, isThorough, now); };
   if (selfIntersections(evolved, now).empty())
   {
     runWithoutIntersections(surface, stage, now);

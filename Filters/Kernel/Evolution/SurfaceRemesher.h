@@ -23,15 +23,16 @@ namespace evolving
 struct SurfaceRemeshingOptions
 {
   ElementSizing sizing = ElementSizing::Uniform;
-  double edgeLength = 0.0; ///< 0 = the mean of the start's edges
+  double edgeLength = 0.0; ///< 0 = the mean of the start's; with onlyDegenerate as many as it has
   BoundaryMode boundaryMode = BoundaryMode::Fixed;
+  bool onlyDegenerate = false; ///< elements stay until hasDegenerateElements()
 };
 
 /// All of them: a new one does not compile before it is listed here.
 inline auto membersOf(const SurfaceRemeshingOptions& options)
 {
-  const auto& [sizing, edgeLength, boundaryMode] = options;
-  return std::tie(sizing, edgeLength, boundaryMode);
+  const auto& [sizing, edgeLength, boundaryMode, onlyDegenerate] = options;
+  return std::tie(sizing, edgeLength, boundaryMode, onlyDegenerate);
 }
 
 inline bool operator==(const SurfaceRemeshingOptions& a, const SurfaceRemeshingOptions& b)
@@ -47,7 +48,9 @@ void checkOptions(const SurfaceRemeshingOptions& options);
  * triangles stand for (CurvedReference), so that remeshing again and again does not shrink it.
  *
  * - Good elements stay as they are, except at the end of the flow, where all are made as good as
- *   can be.
+ *   can be. With onlyDegenerate any elements stay until some degenerate, at the end, too: then
+ *   polygons become triangles, all elements are made anew, and necks that have pinched off are cut
+ *   (withNecksCut()) where no field holds the surface.
  * - A component keeps at least some hundred vertices, however small it has become
  *   (setElementSizes()); one that has shrunk to a point (VanishedComponents) is left out when
  *   others remain.
@@ -58,18 +61,23 @@ void checkOptions(const SurfaceRemeshingOptions& options);
 class SurfaceRemesher : public Remesher
 {
 public:
-  /// @param start of triangles. @throws InputError as MeshTopology and checkOptions()
+  /// @param start of triangles, unless onlyDegenerate. @throws InputError as MeshTopology and
+  /// checkOptions()
   SurfaceRemesher(const SurfaceMesh& start, const SurfaceRemeshingOptions& options);
 
-  /// The mean length that edges should have.
-  double edgeLength() const { return this->Options.edgeLength; }
+  /// The mean length that edges of a surface should have.
+  double edgeLength(const SurfaceMesh& surface) const;
 
-  /// @throws InputError when a face is not a triangle, or as setElementSizes(). @throws Cancelled
+  /// @throws InputError as setElementSizes(). @throws Cancelled
   std::optional<SurfaceMesh> remesh(
     const RemeshingInput& input, const Execution& execution) override;
 
 private:
+  std::optional<SurfaceMesh> remeshTriangles(
+    const RemeshingInput& input, const Execution& execution);
+
   SurfaceRemeshingOptions Options;
+  double Vertices = 0.0;    ///< with onlyDegenerate: how many equilateral ones shall cover it
   double SmallestComponent; ///< area of one at the start
 };
 

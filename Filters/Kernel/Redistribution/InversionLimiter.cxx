@@ -46,8 +46,7 @@ bool facesOutwards(const SurfaceMesh& mesh, const std::vector<Vec3>& normals, In
 {
   std::ostringstream message;
   message << turned << " of " << mesh.faceCount()
-          << " faces turned over in one step, expected at most a fifth; use a shorter time step "
-             "or a weaker redistribution.";
+          << " faces turned over in one step, expected at most a fifth; use a shorter time step.";
   throw SolverError(message.str());
 }
 

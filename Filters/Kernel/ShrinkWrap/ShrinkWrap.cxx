@@ -109,7 +109,8 @@ FlowOptions flowFor(const WrapTarget& target, const ShrinkWrapOptions& options)
   {
     flow.advectionBalance = tuning.sphereBalance;
     flow.curvatureSpeed = tuning.sphereCurvaturePerStep * edge * edge / flow.timeStep;
-    flow.convergenceTolerance = tuning.arrivedEdges * edge / (0.5 * target.box.diagonal().norm());
+    const double size = 0.5 * target.box.diagonal().norm();
+    flow.convergenceTolerance = tuning.arrivedEdges * edge / (size * flow.timeStep); // in a step
     flow.stallSteps = tuning.stallSteps;
   }
   return flow;

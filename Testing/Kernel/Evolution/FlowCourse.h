@@ -18,6 +18,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace evolving
@@ -30,6 +31,7 @@ struct Course
   std::vector<Vec3> points;
   FlowRecord record;
   std::string stopReason;
+  std::optional<double> extinctionTime;
   int totalSteps = 0;
 };
 
@@ -67,8 +69,9 @@ inline Course follow(const SurfaceMesh& start, const std::shared_ptr<const Scala
   course.points = flow.mesh().points;
   course.record = flow.record();
   course.stopReason = flow.stopReason();
+  course.extinctionTime = flow.extinctionTime();
   EXPECT_TRUE(std::isfinite(course.record.area + course.record.volume + course.record.minAngle));
-  EXPECT_TRUE(!course.stopReason.empty() || flow.hasConverged() ||
+  EXPECT_TRUE(!course.stopReason.empty() || flow.extinctionTime() || flow.hasConverged() ||
     course.record.iteration == course.totalSteps);
   return course;
 }

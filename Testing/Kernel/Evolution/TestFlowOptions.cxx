@@ -22,7 +22,6 @@ TEST(FlowOptions, DefaultsAreAccepted)
 TEST(FlowOptions, ValuesOutOfRangeAreRefused)
 {
   const std::vector<std::function<void(FlowOptions&)>> mistakes = {
-    [](FlowOptions& o) { o.timeStep = 0.0; },
     [](FlowOptions& o) { o.timeStep = -1.0; },
     [](FlowOptions& o) { o.timeStep = std::nan(""); },
     [](FlowOptions& o) { o.timeStep = INFINITY; },

@@ -81,7 +81,7 @@ TEST(SurfaceRemesher, ReachesTheEdgeLength)
     EXPECT_EQ(editing::kindOf(torus), (editing::Kind{ 0, 0, 1 }));
   }
   const SurfaceMesh start = shapes::unevenSphere(3);
-  EXPECT_EQ(SurfaceRemesher(start, Uniform).edgeLength(), meanEdgeLength(start));
+  EXPECT_EQ(SurfaceRemesher(start, Uniform).edgeLength(start), meanEdgeLength(start));
   EXPECT_NEAR(
     meanEdgeLength(remeshed(start, Uniform)), meanEdgeLength(start), 0.1 * meanEdgeLength(start));
 }

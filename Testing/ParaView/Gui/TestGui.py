@@ -136,7 +136,7 @@ def check_shrink_wrap(report, pixels):
 def check_surface_evolution(report, pixels):
     evolution = source(report, "SurfaceEvolution")
     surface, history = evolution["ports"]
-    check("the icosphere's points", surface["points"] == 642, surface["points"])
+    check("the icosphere's points or new ones", 600 < surface["points"] < 3000, surface["points"])
     check("a row for every step", history["rows"] == 151, history["rows"])
     check("a time for every step", len(evolution["times"]) == 151, len(evolution["times"]))
     check("the last state", surface["fields"]["Iteration"] == [150, 150])

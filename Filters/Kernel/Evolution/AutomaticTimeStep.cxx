@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Evolution/AutomaticTimeStep.h"
+
+#include "Evolution/CurvatureLife.h"
+#include "ParameterRange.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace evolving
+{
+
+namespace
+{
+
+/// Of its first distance a surface is still away from its target at the end.
+constexpr double DistanceLeft = 1e-3;
+/// As many as the filter makes by default: smoothing steps alone are as long as those of a run.
+constexpr int UsualSteps = 150;
+
+double totalTime(const SurfaceMesh& start, bool hasField, const FlowOptions& options, double size)
+{
+  const bool isDistance = hasField && options.fieldMode == FieldMode::DistanceField;
+  if (isDistance && options.advectionSpeed > 0.0)
+  {
+    return -std::log(DistanceLeft) / options.advectionSpeed;
+  }
+  if (options.curvatureSpeed > 0.0)
+  {
+    const double lives = hasField && !isDistance ? 2.0 : 1.0;
+    return lives * timeOfVisibleChange(start) / options.curvatureSpeed;
+  }
+  return hasField && options.advectionSpeed > 0.0 ? size * size / options.advectionSpeed : 1.0;
+}
+
+} // namespace
+
+double automaticTimeStep(
+  const SurfaceMesh& start, bool hasField, const FlowOptions& options, double size)
+{
+  const int steps = options.numberOfSteps > 0 ? options.numberOfSteps : UsualSteps;
+  // Speeds may be next to nothing, or as good as infinite.
+  return std::clamp(totalTime(start, hasField, options, size) / steps, AboveZero, LongestTimeStep);
+}
+
+} // namespace evolving

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * A time step for who has not chosen one.
+ */
+
+#ifndef EVOLVING_AUTOMATIC_TIME_STEP_H
+#define EVOLVING_AUTOMATIC_TIME_STEP_H
+
+#include "Evolution/FlowOptions.h"
+#include "Mesh/SurfaceMesh.h"
+
+namespace evolving
+{
+
+/**
+ * The step with which options.numberOfSteps steps lead as far as a user wants to see.
+ *
+ * - Without a field: timeOfVisibleChange() in all, so that the step grows with the square of
+ * lengths.
+ * - Distance field: the advection leaves exp(-C T) of a distance; a thousandth in all, which no eye
+ *   sees.
+ * - Edge detector: twice timeOfVisibleChange(), the life of the start, for curvature alone leads a
+ *   surface to edges far away.
+ *
+ * Where the term that counts is off, the other one's time; where both are, any.
+ *
+ * @param options in absolute units
+ * @param size L
+ * @return above 0
+ * @throws InputError as MeshTopology
+ */
+double automaticTimeStep(
+  const SurfaceMesh& start, bool hasField, const FlowOptions& options, double size);
+
+} // namespace evolving
+
+#endif
