@@ -37,9 +37,15 @@ public:
     return this->timeLeft(record, arrays) <= this->TimeStep;
   }
 
+  /// Is so little left that a step which fails only says that the rest is gone, too? Also of a
+  /// surface with a boundary, which may be a pinprick.
+  bool isNearlyGone(const FlowRecord& record) const;
+
 private:
+  bool IsFree;           ///< of a field: all it does is shrink
   double CurvatureSpeed; ///< 0: nobody knows
   double TimeStep;
+  double StartArea = 0.0;
   bool BelievesVolume = true;
 };
 

@@ -133,7 +133,7 @@ void SurfaceFlow::stepOrStop()
   {
     throw InputError(failure->reason); // nothing but the input has been reached
   }
-  if (failure->isExtinction)
+  if (failure->isExtinction || this->Extinction.isNearlyGone(this->Record))
   {
     this->endByExtinction();
   }

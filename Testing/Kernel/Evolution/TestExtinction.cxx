@@ -3,6 +3,7 @@
 
 // A surface that shrinks to a point has come to its end, and the last state is a surface.
 
+#include "Evolution/ExtinctionTest.h"
 #include "Evolution/FlowCourse.h"
 #include "Evolution/FlowRuns.h"
 #include "Evolution/StateSeries.h"
@@ -58,6 +59,24 @@ TEST(Extinction, MayBeInTheFirstStep)
   EXPECT_NEAR(flow.extinctionTime().value_or(0.0), 0.25, 0.01);
   flow.step();
   EXPECT_EQ(flow.record().iteration, 0);
+}
+
+TEST(Extinction, IsWhatAFailureMeansWhenNextToNothingIsLeft)
+{
+  const FlowOptions options = flows::meanCurvatureFlow(0.01, 20);
+  FlowRecord record;
+  record.area = 4.0;
+  const StateArrays arrays;
+  ExtinctionTest closed(icosphere(1), false, options);
+  closed.begin(record, arrays);
+  ExtinctionTest towardsTarget(icosphere(1), true, options);
+  towardsTarget.begin(record, arrays);
+  EXPECT_FALSE(closed.isNearlyGone(record));
+  record.area = 0.0041;
+  EXPECT_FALSE(closed.isNearlyGone(record));
+  record.area = 0.0039;
+  EXPECT_TRUE(closed.isNearlyGone(record));
+  EXPECT_FALSE(towardsTarget.isNearlyGone(record));
 }
 
 TEST(Extinction, IsNoneAtTheEndOfARunOrWithABoundary)
