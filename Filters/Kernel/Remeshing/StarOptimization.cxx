@@ -67,6 +67,43 @@ std::vector<Index> edgesAt(const EditableSurface& surface, Index v)
   return edges;
 }
 
+/// Which stars a search has left as they are: it would do so again, until one of their vertices
+/// moves.
+class SettledStars
+{
+public:
+  explicit SettledStars(const EditableSurface& surface)
+    : Surface(surface)
+    , Tried(at(surface.vertexSlots()), Never)
+    , Moved(at(surface.vertexSlots()), Never)
+  {
+  }
+
+  bool contain(Index v, int round) const
+  {
+    bool isSettled = this->Tried[at(v)] == round - 1 && this->Moved[at(v)] < round - 1;
+    if (isSettled)
+    {
+      this->Surface.forEachNeighbour(
+        v, [&](Index u) { isSettled = isSettled && this->Moved[at(u)] < round - 1; });
+    }
+    return isSettled;
+  }
+
+  void add(Index v, int round, bool hasMoved)
+  {
+    this->Tried[at(v)] = round;
+    this->Moved[at(v)] = hasMoved ? round : this->Moved[at(v)];
+  }
+
+private:
+  static constexpr int Never = -2;
+
+  const EditableSurface& Surface;
+  std::vector<int> Tried; ///< the last round in which a vertex was searched for a better place
+  std::vector<int> Moved; ///< the last one in which it has found one
+};
+
 } // namespace
 
 Index optimizeStarsOf(EditableSurface& surface, const ReferenceSurface& reference,
@@ -95,6 +132,7 @@ Index optimizeStars(EditableSurface& surface, const ReferenceSurface& reference,
   int rounds, const Execution& execution)
 {
   const double limit = std::cos(degrees * RadiansPerDegree);
+  SettledStars settled(surface);
   Index moves = 0;
   for (int round = 0; round < rounds; ++round)
   {
@@ -105,7 +143,12 @@ Index optimizeStars(EditableSurface& surface, const ReferenceSurface& reference,
       vertices.size(), [&](std::size_t i) { return edgesAt(surface, vertices[i].second); },
       surface.edgeSlots(), StarGrain,
       [&](std::size_t i)
-      { hasMoved[i] = StarSearch(surface, reference).improve(vertices[i].second) ? 1 : 0; },
+      {
+        const Index v = vertices[i].second;
+        hasMoved[i] =
+          !settled.contain(v, round) && StarSearch(surface, reference).improve(v) ? 1 : 0;
+        settled.add(v, round, hasMoved[i] != 0);
+      },
       execution);
     const auto moved = static_cast<Index>(std::count(hasMoved.begin(), hasMoved.end(), 1));
     moves += moved;

@@ -58,14 +58,24 @@ bool StarSearch::improve(Index v)
 double StarSearch::worstCosine(Index v) const
 {
   double worst = 0.0;
-  this->Surface.forEachOutgoing(v,
-    [&](Index e)
-    {
-      worst = std::max(worst,
-        cosineOfSmallestAngle(this->Surface.point(v), this->Surface.point(this->Surface.to(e)),
-          this->Surface.point(this->Surface.apex(e))));
-    });
+  this->Surface.forEachOutgoing(
+    v, [&](Index e) { worst = std::max(worst, this->cosineBeside(v, e)); });
   return worst;
+}
+
+/// The first face that is no better says it: most tries fail.
+bool StarSearch::isBetter(Index v) const
+{
+  bool isBetter = this->Worst > 0.0;
+  this->Surface.forEachOutgoing(
+    v, [&](Index e) { isBetter = isBetter && this->cosineBeside(v, e) < this->Worst; });
+  return isBetter;
+}
+
+double StarSearch::cosineBeside(Index v, Index e) const
+{
+  return cosineOfSmallestAngle(this->Surface.point(v), this->Surface.point(this->Surface.to(e)),
+    this->Surface.point(this->Surface.apex(e)));
 }
 
 void StarSearch::begin(Index v)
@@ -118,7 +128,7 @@ bool StarSearch::tryMove(Index v, const Vec3& move)
   const Index guess = this->Surface.guess(v);
   // Most tries fail already in the tangent plane: the search for the foot is what costs.
   this->Surface.setPoint(v, before + move);
-  if (this->worstCosine(v) < this->Worst)
+  if (this->isBetter(v))
   {
     this->place(v, before + move);
     const double worst = this->worstCosine(v);

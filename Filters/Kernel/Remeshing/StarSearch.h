@@ -35,6 +35,8 @@ public:
   double worstCosine(Index v) const;
 
 private:
+  double cosineBeside(Index v, Index e) const;
+  bool isBetter(Index v) const;
   void begin(Index v);
   ReferenceSurface::Foot foot(const Vec3& point, Index guess) const;
   bool searchAt(Index v, double move);
