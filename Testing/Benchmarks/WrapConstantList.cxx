@@ -11,6 +11,7 @@ namespace benchmark
 namespace
 {
 
+using evolving::FeaturePreservation;
 using evolving::FinishTuning;
 using evolving::FlowTuning;
 using evolving::PointTuning;

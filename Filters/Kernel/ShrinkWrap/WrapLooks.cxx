@@ -7,6 +7,7 @@
 #include "Crossings/SolidSheets.h"
 #include "Mesh/SeamWelding.h"
 #include "Mesh/TopologySummary.h"
+#include "Mesh/TriangleView.h"
 #include "ShrinkWrap/WantedGenus.h"
 #include "ShrinkWrap/WrapResolution.h"
 
@@ -151,7 +152,7 @@ SeenTarget lookAsNeeded(const SurfaceMesh& mesh, const ShrinkWrapOptions& option
   const WrapTuning& tuning, const Execution& execution)
 {
   checkOptions(options);
-  validate(mesh);
+  triangleView(mesh); // throws for what are no triangles
   return Looks(mesh, options, tuning, execution).run();
 }
 

@@ -36,6 +36,13 @@ using namespace evolving;
 using namespace evolving::shapes;
 using namespace evolving::wraps;
 
+TEST(ShrinkWrapInputs, PolygonsAreRefused)
+{
+  const SurfaceMesh quad =
+    shapes::makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, { { 0, 1, 2, 3 } });
+  EXPECT_THROW(prepareShrinkWrap(quad, quick()), InputError);
+}
+
 TEST(ShrinkWrapInputs, OrientationDoesNotMatter)
 {
   const SurfaceMesh torus = shapes::torus(48, 24, 1.0, 0.4);
