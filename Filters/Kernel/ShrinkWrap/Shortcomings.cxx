@@ -156,9 +156,8 @@ private:
     {
       this->say("Of the target's creases, ", creases.length, " long in all, ", creases.missing,
         " are not on edges of the result, some at (", creases.place.transpose(),
-        "): other parts are too near, triangles would have too small angles, or the result does "
-        "not "
-        "lie on the target there; ",
+        "): other parts are too near, angles would be too small, or the result does not lie on the "
+        "target there; ",
         this->smallerTriangles(), ", and no OffsetDistance.");
     }
     const double all = creases.length + creases.leftOut.length;
