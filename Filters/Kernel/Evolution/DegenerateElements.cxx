@@ -5,6 +5,7 @@
 
 #include "Mesh/MeshQuality.h"
 #include "Mesh/MeshTopology.h"
+#include "Mesh/TopologySummary.h"
 
 #include <algorithm>
 
@@ -95,13 +96,7 @@ bool hasDegenerateElements(const SurfaceMesh& surface, BoundaryMode mode, double
 
 double wantedVertices(const SurfaceMesh& start)
 {
-  const MeshTopology topology(start);
-  double used = 0.0;
-  for (Index v = 0; v < start.vertexCount(); ++v)
-  {
-    used += topology.isUsed(v) ? 1.0 : 0.0;
-  }
-  return std::max(used, LeastVertices);
+  return std::max<double>(summarizeTopology(start).usedVertices, LeastVertices);
 }
 
 } // namespace evolving

@@ -5,7 +5,9 @@
 
 #include "FeatureCapture/LabelSets.h"
 
+#include <algorithm>
 #include <limits>
+#include <vector>
 
 namespace evolving
 {
@@ -75,21 +77,28 @@ Index edgeBefore(
   return best;
 }
 
-/// A flip may bring the next border into reach. @return whether an edge has flipped
-bool joinOneBorder(
+/// @return whether an edge has flipped
+bool joinBorder(EditableSurface& surface, const VertexLabels& labels, Index v, const Labels& border)
+{
+  const Index e =
+    isJoined(surface, labels, v, border) ? NoIndex : edgeBefore(surface, labels, v, border);
+  if (e != NoIndex)
+  {
+    surface.flip(e);
+  }
+  return e != NoIndex;
+}
+
+void joinCorner(
   EditableSurface& surface, const VertexLabels& labels, Index v, const std::vector<Labels>& borders)
 {
-  for (const Labels& border : borders)
+  // A flip may bring the next border into reach.
+  bool hasFlipped = true;
+  for (std::size_t round = 0; hasFlipped && round < borders.size(); ++round)
   {
-    const Index e =
-      isJoined(surface, labels, v, border) ? NoIndex : edgeBefore(surface, labels, v, border);
-    if (e != NoIndex)
-    {
-      surface.flip(e);
-      return true;
-    }
+    hasFlipped = std::any_of(borders.begin(), borders.end(),
+      [&](const Labels& border) { return joinBorder(surface, labels, v, border); });
   }
-  return false;
 }
 
 } // namespace
@@ -99,13 +108,9 @@ void joinCorners(
 {
   for (Index v = 0; v < surface.vertexSlots(); ++v)
   {
-    if (!surface.hasVertex(v) || labels.corner(v) == NoIndex)
+    if (surface.hasVertex(v) && labels.corner(v) != NoIndex)
     {
-      continue;
-    }
-    const std::vector<Labels> borders = bordersAt(surface, features, labels.of(v), v);
-    for (std::size_t i = 0; i < borders.size() && joinOneBorder(surface, labels, v, borders); ++i)
-    {
+      joinCorner(surface, labels, v, bordersAt(surface, features, labels.of(v), v));
     }
   }
 }

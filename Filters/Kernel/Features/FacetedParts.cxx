@@ -35,7 +35,7 @@ void takeFacetEdges(
   {
     PartFolds& part = folds[partOf(edge)];
     part.hasSharp = part.hasSharp || sharp.isSharp(edge);
-    if (target.edges().faceCount(edge) == 2 && sharp.fold(edge) > angle)
+    if (target.edges().faceCount(edge) == 2 && sharp.foldsBeyond(edge, angle))
     {
       const double length = target.edgeLength(edge);
       part.length += length;

@@ -45,10 +45,14 @@ SharpEdges::SharpEdges(
         const auto edge = static_cast<Index>(e);
         const Index faces = target.edges().faceCount(edge);
         this->Folds[e] = largestFold(target, normals, edge);
-        this->Sharp[e] =
-          faces > 2 || (faces == 1 ? withBoundary : this->Folds[e] > angle + Tolerance);
+        this->Sharp[e] = faces > 2 || (faces == 1 ? withBoundary : this->foldsBeyond(edge, angle));
       }
     });
+}
+
+bool SharpEdges::foldsBeyond(Index edge, double angle) const
+{
+  return this->fold(edge) > angle + Tolerance;
 }
 
 double SharpEdges::relativeFold(Index edge) const

@@ -34,6 +34,8 @@ public:
   bool isSharp(Index edge) const { return this->Sharp[static_cast<std::size_t>(edge)] != 0; }
   /// The largest angle between two faces of an edge in degrees, 0 flat; 180 at the boundary.
   double fold(Index edge) const { return this->Folds[static_cast<std::size_t>(edge)]; }
+  /// Is the fold larger than an angle in degrees? One that is met exactly is not, for all rounding.
+  bool foldsBeyond(Index edge, double angle) const;
   /// How nearly the fold is enough for a sharp edge: 0 flat, 1 enough.
   double relativeFold(Index edge) const;
   /// Counts as sharp, however little it folds.

@@ -19,14 +19,14 @@ namespace
 std::vector<char> insideOf(
   const AABBTree& result, const std::vector<MedialProbe>& probes, const Execution& execution)
 {
-  const Vec3 askew(0.5718, 0.3141, 0.7577); // along no axis, which faces often lie along
   std::vector<char> isInside(probes.size());
   execution.forRangeReporting(static_cast<std::int64_t>(probes.size()), Execution::MeshGrain,
     [&](std::int64_t begin, std::int64_t end)
     {
       for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
-        isInside[i] = result.hits(Ray(probes[i].middle(), askew)).size() % 2 == 1 ? 1 : 0;
+        isInside[i] =
+          result.hits(Ray(probes[i].middle(), askewDirection())).size() % 2 == 1 ? 1 : 0;
       }
     });
   return isInside;

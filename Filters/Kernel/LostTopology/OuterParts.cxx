@@ -3,7 +3,7 @@
 
 #include "LostTopology/OuterParts.h"
 
-#include "Mesh/ConnectedComponents.h"
+#include "Mesh/SurfaceParts.h"
 #include "Trees/AABBTree.h"
 
 #include <algorithm>
@@ -16,86 +16,57 @@ namespace evolving
 namespace
 {
 
-class Parts
+/// A ray from a part to the outside crosses each part around it an odd number of times.
+bool isEnclosed(const SurfaceParts& parts, Index face, const AABBTree& tree)
 {
-public:
-  explicit Parts(const SurfaceMesh& surface)
-    : Surface(surface)
-    , Components(connectedComponents(surface))
-    , FirstFace(at(this->Components.count), NoIndex)
-    , SixVolumes(at(this->Components.count), 0.0)
+  std::vector<char> isAround(parts.list.size(), 0);
+  for (const RayHit& hit : tree.hits(Ray(tree.triangle(face).centroid(), askewDirection())))
   {
-    // Near the surface: far from it rounding would take the place of volumes.
-    const Vec3 center = boundingBox(surface).center();
-    for (Index face = surface.faceCount() - 1; face >= 0; --face)
-    {
-      const std::size_t part = at(this->of(face));
-      this->FirstFace[part] = face;
-      this->SixVolumes[part] +=
-        faceVectorArea(surface, face).dot(surface.facePoint(face, 0) - center);
-    }
+    isAround[at(parts.ofFace[at(hit.triangle)])] ^= 1;
   }
-
-  Index count() const { return this->Components.count; }
-  Index of(Index face) const
-  {
-    return this->Components.ofVertex[at(this->Surface.faceVertex(face, 0))];
-  }
-  bool isInsideOut(Index part) const { return this->SixVolumes[at(part)] < 0.0; }
-
-  /// A ray from a part to the outside crosses each part around it an odd number of times.
-  bool isEnclosed(Index part, const AABBTree& tree) const
-  {
-    const Vec3 askew(0.5718, 0.3141, 0.7577); // along no axis, which faces often lie along
-    std::vector<char> isAround(at(this->count()), 0);
-    const Index face = this->FirstFace[at(part)];
-    for (const RayHit& hit : tree.hits(Ray(tree.triangle(face).centroid(), askew)))
-    {
-      isAround[at(this->of(hit.triangle))] ^= 1;
-    }
-    isAround[at(part)] = 0;
-    return std::find(isAround.begin(), isAround.end(), 1) != isAround.end();
-  }
-
-private:
-  const SurfaceMesh& Surface;
-  ConnectedComponents Components;
-  std::vector<Index> FirstFace;
-  std::vector<double> SixVolumes; // half of them: only the signs matter
-};
+  isAround[at(parts.ofFace[at(face)])] = 0;
+  return std::find(isAround.begin(), isAround.end(), 1) != isAround.end();
+}
 
 std::vector<char> enclosedParts(
-  const SurfaceMesh& surface, const Parts& parts, const Execution& execution)
+  const SurfaceMesh& surface, const SurfaceParts& parts, const Execution& execution)
 {
-  std::vector<char> isEnclosed(at(parts.count()), 0);
-  if (parts.count() > 1)
+  std::vector<char> isPartEnclosed(parts.list.size(), 0);
+  if (parts.list.size() < 2)
   {
-    const AABBTree tree(surface, execution);
-    for (Index part = 0; part < parts.count(); ++part)
+    return isPartEnclosed;
+  }
+  const AABBTree tree(surface, execution);
+  Index next = 0; // parts are numbered by their first faces
+  for (Index face = 0; face < surface.faceCount(); ++face)
+  {
+    if (parts.ofFace[at(face)] == next)
     {
-      isEnclosed[at(part)] = parts.isEnclosed(part, tree);
+      isPartEnclosed[at(next)] = isEnclosed(parts, face, tree);
+      ++next;
     }
   }
-  return isEnclosed;
+  return isPartEnclosed;
 }
 
 } // namespace
 
 SurfaceMesh outerParts(const SurfaceMesh& surface, const Execution& execution)
 {
-  const Parts parts(surface);
-  const std::vector<char> isEnclosed = enclosedParts(surface, parts, execution);
+  const SurfaceParts parts = surfaceParts(surface);
+  const std::vector<char> isPartEnclosed = enclosedParts(surface, parts, execution);
   SurfaceMesh outer;
   outer.points = surface.points;
   for (Index face = 0; face < surface.faceCount(); ++face)
   {
+    const auto part = at(parts.ofFace[at(face)]);
     Index second = surface.faceVertex(face, 1);
     Index third = surface.faceVertex(face, 2);
-    if (parts.isInsideOut(parts.of(face)))
+    if (parts.list[part].sixVolumes < 0.0)
     {
       std::swap(second, third);
     }
-    if (!isEnclosed[at(parts.of(face))])
+    if (!isPartEnclosed[part])
     {
       outer.addFace({ surface.faceVertex(face, 0), second, third });
     }

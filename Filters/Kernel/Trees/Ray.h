@@ -25,6 +25,12 @@ struct RayCrossing
   bool isFromBehind = false;
 };
 
+/// Along no axis, which faces often lie along: for rays whose crossings are counted.
+inline Vec3 askewDirection()
+{
+  return Vec3(0.5718, 0.3141, 0.7577);
+}
+
 /**
  * A ray prepared for many triangles (Woop, Benthin, Wald, Watertight Ray/Triangle Intersection,
  * 2013). A ray through an edge shared by two triangles hits exactly one of them if it passes

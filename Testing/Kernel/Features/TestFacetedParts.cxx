@@ -39,6 +39,7 @@ TEST(FacetEdges, AreThoseThatFoldByMore)
   EXPECT_EQ(facetEdges(icosahedron(), 42.0, 0.1), 0U);
   // The diagonals of its sides are flat.
   EXPECT_EQ(facetEdges(shapes::unitCube(), 30.0, 0.1), 12U);
+  EXPECT_EQ(facetEdges(shapes::unitCube(), 90.0, 0.1), 0U);
 }
 
 TEST(FacetEdges, AreLongOnAverage)
