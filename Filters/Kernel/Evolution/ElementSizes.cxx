@@ -5,6 +5,7 @@
 
 #include "Mesh/MeshTopology.h"
 #include "Mesh/SurfaceMesh.h"
+#include "Remeshing/CoveringTriangles.h"
 #include "Remeshing/EdgeLengthLimits.h"
 #include "Remeshing/SizingField.h"
 #include "Remeshing/VertexBudget.h"
@@ -35,7 +36,7 @@ struct Extent
   /// The edge length of so many equilateral vertices.
   double sizeFor(double vertices) const
   {
-    const double byArea = std::sqrt(2.0 * this->area / (std::sqrt(3.0) * vertices));
+    const double byArea = coveringEdgeLength(this->area, vertices);
     const double byLength = this->box.diagonal().norm() / (PiecesPerVertex * vertices);
     return std::max(byArea, byLength);
   }

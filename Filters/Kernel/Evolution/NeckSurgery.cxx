@@ -4,6 +4,7 @@
 #include "Evolution/NeckSurgery.h"
 
 #include "Mesh/MeshTopology.h"
+#include "Mesh/SurfaceParts.h"
 
 #include <algorithm>
 #include <array>
@@ -148,19 +149,12 @@ private:
 
 SurfaceMesh withoutRests(const SurfaceMesh& surface, double smallestArea)
 {
-  const MeshTopology topology(surface);
-  std::vector<double> areas(at(topology.componentCount()), 0.0);
-  const auto componentOf = [&](Index face)
-  { return at(topology.componentOfVertex()[at(surface.faceVertex(face, 0))]); };
-  for (Index face = 0; face < surface.faceCount(); ++face)
-  {
-    areas[componentOf(face)] += faceVectorArea(surface, face).norm();
-  }
+  const SurfaceParts parts = surfaceParts(surface);
   SurfaceMesh rest;
   rest.points = surface.points;
   for (Index face = 0; face < surface.faceCount(); ++face)
   {
-    if (areas[componentOf(face)] >= smallestArea)
+    if (parts.list[at(parts.ofFace[at(face)])].area >= smallestArea)
     {
       rest.addFace(
         { surface.faceVertex(face, 0), surface.faceVertex(face, 1), surface.faceVertex(face, 2) });

@@ -13,6 +13,7 @@
 #include "ParallelLoops.h"
 #include "ParameterRange.h"
 #include "Redistribution/VanishedComponents.h"
+#include "Remeshing/CoveringTriangles.h"
 #include "Remeshing/CurvedReference.h"
 #include "Remeshing/EdgeLengthLimits.h"
 #include "Remeshing/EditableSurface.h"
@@ -145,9 +146,8 @@ SurfaceRemesher::SurfaceRemesher(const SurfaceMesh& start, const SurfaceRemeshin
 /// Needles, as CAD programs make them, have a mean that is much too large.
 double SurfaceRemesher::edgeLength(const SurfaceMesh& surface) const
 {
-  return this->Options.edgeLength > 0.0
-    ? this->Options.edgeLength
-    : std::sqrt(2.0 * surfaceArea(surface) / (std::sqrt(3.0) * this->Vertices));
+  return this->Options.edgeLength > 0.0 ? this->Options.edgeLength
+                                        : coveringEdgeLength(surfaceArea(surface), this->Vertices);
 }
 
 std::optional<SurfaceMesh> SurfaceRemesher::remesh(

@@ -3,6 +3,7 @@
 
 #include "ShrinkWrap/LostTopologyRemedy.h"
 
+#include "Remeshing/CoveringTriangles.h"
 #include "ShrinkWrap/TightGrid.h"
 #include "ShrinkWrap/WrapResolution.h"
 

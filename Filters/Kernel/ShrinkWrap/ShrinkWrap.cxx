@@ -167,22 +167,29 @@ std::size_t bytesOf(const ShrinkWrapProblem& problem)
   return problem.field->values().size() * sizeof(float) + problem.reference->bytes();
 }
 
-SurfaceReport examineWrap(
+SurfaceReport measureWrap(
   const SurfaceMesh& surface, const ShrinkWrapProblem& problem, const Execution& execution)
 {
   const WrapReference& reference = *problem.reference;
   SurfaceReport report = examine(
     surface, [&reference](const Vec3& p) { return reference.deviation(p); },
-    execution.phase(0.0, 0.6));
+    execution.phase(0.0, 0.75));
   const double far = farDistance(problem.edgeLength, problem.modelSize) + reference.highestLevel();
   measureLoss(surface, samplesOf(reference.visible(), problem.edgeLength), far, report,
-    execution.phase(0.6, 0.8));
+    execution.phase(0.75, 1.0));
   report.creases = problem.remesher->creases();
   report.coarse = findCoarseParts(surface);
   report.modelSize = problem.modelSize;
   report.morePoints = problem.options.targetEdgeLength == 0.0
     ? std::min(2 * surface.vertexCount(), Index(MostPointsToAskFor))
     : 0;
+  return report;
+}
+
+SurfaceReport examineWrap(
+  const SurfaceMesh& surface, const ShrinkWrapProblem& problem, const Execution& execution)
+{
+  SurfaceReport report = measureWrap(surface, problem, execution.phase(0.0, 0.8));
   if (problem.keepsTopology)
   {
     report.lost = findLostTopology(

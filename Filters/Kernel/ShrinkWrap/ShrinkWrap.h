@@ -64,10 +64,14 @@ ShrinkWrapProblem prepareShrinkWrap(const SurfaceMesh& mesh, const ShrinkWrapOpt
 std::size_t bytesOf(const ShrinkWrapProblem& problem);
 
 /**
- * What was reached of a problem.
+ * What was reached of a problem, but for SurfaceReport::lost, which elements alone decide.
  * @param surface its last state, as it is handed out
  * @throws Cancelled
  */
+SurfaceReport measureWrap(
+  const SurfaceMesh& surface, const ShrinkWrapProblem& problem, const Execution& execution = {});
+
+/// All of it, likewise.
 SurfaceReport examineWrap(
   const SurfaceMesh& surface, const ShrinkWrapProblem& problem, const Execution& execution = {});
 

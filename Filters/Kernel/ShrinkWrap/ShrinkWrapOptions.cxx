@@ -4,6 +4,7 @@
 #include "ShrinkWrap/ShrinkWrapOptions.h"
 
 #include "ParameterRange.h"
+#include "Remeshing/CoveringTriangles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,16 +67,6 @@ double timeStepOf(const ShrinkWrapOptions& options)
 {
   const bool fromSphere = options.start == WrapStart::Icosphere;
   return (fromSphere ? IcosphereTime : IsosurfaceTime) / stepsOf(options);
-}
-
-double coveringEdgeLength(double area, double vertexCount)
-{
-  return std::sqrt(2.0 * area / (vertexCount * std::sqrt(3.0)));
-}
-
-double coveringVertexCount(double area, double edgeLength)
-{
-  return 2.0 * area / (std::sqrt(3.0) * edgeLength * edgeLength);
 }
 
 double edgeLengthFor(double vertexCount, double area, double length)

@@ -72,11 +72,6 @@ int stepsOf(const ShrinkWrapOptions& options);
 /// The time step of the flow; like the number of steps it follows from options alone.
 double timeStepOf(const ShrinkWrapOptions& options);
 
-/// sqrt(2 A / (N sqrt(3))): equilateral triangles of this edge cover A with N vertices.
-double coveringEdgeLength(double area, double vertexCount);
-/// The other way round.
-double coveringVertexCount(double area, double edgeLength);
-
 /// Covers the area with so many vertices. Of a wire or a needle, which has next to no area, so long
 /// that the wall around it has about as many.
 double edgeLengthFor(double vertexCount, double area, double length);

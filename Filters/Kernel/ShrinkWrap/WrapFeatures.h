@@ -10,6 +10,7 @@
 #define EVOLVING_WRAP_FEATURES_H
 
 #include "Features/CapturableCreases.h"
+#include "Remeshing/CoveringTriangles.h"
 #include "ShrinkWrap/ShrinkWrapOptions.h"
 #include "ShrinkWrap/WrapReference.h"
 

@@ -3,6 +3,7 @@
 
 #include "ShrinkWrap/WrapResolution.h"
 
+#include "Remeshing/CoveringTriangles.h"
 #include "Shapes/MeshVariants.h"
 #include "Shapes/Polyhedra.h"
 #include "Shapes/Sheets.h"
