@@ -8,9 +8,7 @@
 #include "FeatureCapture/FeatureReference.h"
 #include "FeatureCapture/LabelSplitting.h"
 #include "FeatureCapture/VertexLabels.h"
-#include "Mesh/Angles.h"
 #include "ParallelLoops.h"
-#include "Remeshing/FaceShape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -206,38 +204,6 @@ void captureFeatures(
   labelFaces(surface, features, labels);
   execution.report(0.75);
   Capture(surface, features, labels).run();
-}
-
-std::vector<Index> crampedFeatures(const EditableSurface& surface, double degrees)
-{
-  const double limit = std::cos(degrees * RadiansPerDegree);
-  std::vector<Index> vertices;
-  for (Index e = 0; e < surface.edgeSlots(); ++e)
-  {
-    const Index f = EditableSurface::faceOf(e);
-    if (surface.hasEdge(e) && surface.featureEdges(surface.from(e)) > 0 &&
-      cosineOfSmallestAngle(surface, f) > limit)
-    {
-      vertices.push_back(surface.from(e));
-    }
-  }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  return vertices;
-}
-
-void releaseFeatures(EditableSurface& surface, const std::vector<Index>& vertices)
-{
-  for (const Index v : vertices)
-  {
-    surface.releasePin(v);
-    surface.forEachOutgoing(v,
-      [&surface](Index e)
-      {
-        surface.setCurve(e, NoIndex);
-        surface.setLabel(EditableSurface::faceOf(e), FeatureReference::NoPatch);
-      });
-  }
 }
 
 } // namespace evolving

@@ -14,8 +14,6 @@
 #include "Features/TargetFeatures.h"
 #include "Remeshing/EditableSurface.h"
 
-#include <vector>
-
 namespace evolving
 {
 
@@ -31,17 +29,6 @@ namespace evolving
  */
 void captureFeatures(
   EditableSurface& surface, const TargetFeatures& features, const Execution& execution = {});
-
-/**
- * The vertices on creases at the corners of triangles with a smaller angle than some: there are
- * more creases, or they meet at a smaller angle, than elements of that size can carry.
- * @param degrees the angle
- * @return ascending
- */
-std::vector<Index> crampedFeatures(const EditableSurface& surface, double degrees);
-
-/// Lets the creases go at some vertices.
-void releaseFeatures(EditableSurface& surface, const std::vector<Index>& vertices);
 
 } // namespace evolving
 

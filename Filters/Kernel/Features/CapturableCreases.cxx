@@ -5,6 +5,7 @@
 
 #include "Features/DistinctCreases.h"
 #include "Features/FacetedParts.h"
+#include "Features/LooseEnds.h"
 #include "Trees/TriangleGeometry.h"
 
 #include <algorithm>
@@ -18,6 +19,8 @@ namespace
 /// Over that of creases: facets fold less than the sides of a machined part, and a ridge of 30
 /// degrees is seen.
 constexpr double FacetAngle = 2.0 / 3.0;
+/// Over that of facets: decimated figures have edges whose folds waver so much.
+constexpr double FadingAngle = 1.0 / 3.0;
 
 /// Leaves out the sharp edges of triangles that are excluded.
 void exclude(const TargetTriangles& target, const std::vector<char>& isExcluded, SharpEdges& sharp)
@@ -81,7 +84,12 @@ SharpEdges capturableCreases(const TargetTriangles& target, const FeatureOptions
     keepDistinctCreases(target, sharp);
     if (options.facetLength > 0.0)
     {
-      takeFacetEdges(target, sharp, FacetAngle * options.angle, options.facetLength);
+      const double facetAngle = FacetAngle * options.angle;
+      takeFacetEdges(target, sharp, facetAngle, options.facetLength);
+      if (sharp.hasTakenIn())
+      {
+        followLooseEnds(target, sharp, FadingAngle * facetAngle);
+      }
     }
   }
   const std::vector<Index> all = sharp.list();

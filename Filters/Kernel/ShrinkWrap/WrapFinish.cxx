@@ -5,6 +5,7 @@
 
 #include "FeatureCapture/FeatureCapture.h"
 #include "FeatureCapture/FeatureReference.h"
+#include "FeatureCapture/FeatureRelease.h"
 #include "Features/TargetFeatures.h"
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/IntersectionFreeStages.h"
@@ -185,7 +186,8 @@ private:
     const bool isOn = this->Options.preserveFeatures == FeaturePreservation::On;
     const double automatic =
       this->Features->hasFacets() ? this->Tuning.leastFacetAngle : this->Tuning.leastAutomaticAngle;
-    return crampedFeatures(surface, isOn ? this->Tuning.leastFeatureAngle : automatic);
+    return crampedFeatures(
+      surface, isOn ? this->Tuning.leastFeatureAngle : automatic, this->Tuning.leastFeatureAngle);
   }
 
   bool isCramped() const { return this->OnFeatures && !this->cramped(this->Surface).empty(); }

@@ -142,6 +142,7 @@ struct FinishTuning
   /// The same where PreserveFeatures is automatic, and elements count as much: half of an
   /// equilateral one's, and some to spare for the stages that follow. Folds of faceted parts may
   /// cost even less: half of 72 degrees, the least corner of a patch that two elements may share.
+  /// Tips may cost as much as creases that are asked for: a spike without its tip is another shape.
   double leastAutomaticAngle = 33.0;
   double leastFacetAngle = 36.0;
   int releaseRounds = 3;

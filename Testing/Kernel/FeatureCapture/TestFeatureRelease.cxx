@@ -4,6 +4,7 @@
 #include "FeatureCapture/CaptureShapes.h"
 #include "FeatureCapture/FeatureCoverage.h"
 #include "FeatureCapture/FeatureReference.h"
+#include "FeatureCapture/FeatureRelease.h"
 #include "Mesh/Angles.h"
 #include "Mesh/MeshQuality.h"
 #include "Remeshing/EditingChecks.h"
@@ -78,6 +79,53 @@ TEST(FeatureRelease, FreesTheCornersOfBadTrianglesAndNothingElse)
       ASSERT_EQ(after.label(f), isFree ? FeatureReference::NoPatch : before.label(f));
     }
   }
+}
+
+/// A pyramid over a regular polygon whose sides have an angle at the tip, vertex 0, in degrees; its
+/// edges are creases, and its corners pinned. In the middle of the base is one more vertex.
+EditableSurface pyramid(Index sides, double angle)
+{
+  SurfaceMesh mesh;
+  const double step = 2.0 * Pi / sides;
+  const double side = 2.0 * std::sin(0.5 * step);
+  const double slope = 0.5 * side / std::sin(0.5 * angle * RadiansPerDegree); // base to tip
+  mesh.addPoint(Vec3(0, 0, std::sqrt(slope * slope - 1.0)));
+  const Index middle = mesh.addPoint(Vec3::Zero());
+  for (Index k = 0; k < sides; ++k)
+  {
+    mesh.addPoint(Vec3(std::cos(k * step), std::sin(k * step), 0.0));
+  }
+  for (Index k = 0; k < sides; ++k)
+  {
+    const Index a = 2 + k;
+    const Index b = 2 + (k + 1) % sides;
+    mesh.addFace({ 0, a, b });
+    mesh.addFace({ middle, b, a });
+  }
+  EditableSurface surface(mesh);
+  surface.forEachOutgoing(0, [&](Index e) { surface.setCurve(e, 0); });
+  surface.setPinned(0);
+  return surface;
+}
+
+TEST(FeatureRelease, SparesTips)
+{
+  const EditableSurface sharp = pyramid(4, 30.0);
+  EXPECT_EQ(crampedFeatures(sharp, 33.0).size(), 5U);
+  EXPECT_TRUE(crampedFeatures(sharp, 33.0, 22.0).empty());
+  EXPECT_EQ(crampedFeatures(sharp, 33.0, 31.0).size(), 5U);
+  EXPECT_TRUE(crampedFeatures(sharp, 29.0, 31.0).empty()); // never more than elsewhere
+  EditableSurface free = sharp;
+  free.releasePin(0);
+  EXPECT_EQ(crampedFeatures(free, 33.0, 22.0).size(), 5U);
+}
+
+TEST(FeatureRelease, SparesNoBluntCorner)
+{
+  const EditableSurface blunt = pyramid(7, 26.0); // 182 degrees in all
+  EXPECT_EQ(crampedFeatures(blunt, 33.0, 22.0).size(), 8U);
+  const EditableSurface tip = pyramid(6, 26.0);
+  EXPECT_TRUE(crampedFeatures(tip, 33.0, 22.0).empty());
 }
 
 TEST(FeatureRelease, IsSeenByTheCoverage)

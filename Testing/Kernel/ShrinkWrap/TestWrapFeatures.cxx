@@ -10,6 +10,7 @@
 #include "Remeshing/RemeshingShapes.h"
 #include "Shapes/CreasedShapes.h"
 #include "Shapes/MeshVariants.h"
+#include "Shapes/Polyhedra.h"
 #include "ShrinkWrap/FeatureWraps.h"
 #include "StartSurface/PrimitiveSurfaces.h"
 #include "Trees/AABBTree.h"
@@ -250,6 +251,21 @@ TEST(WrapFeatures, LargeFacetsHaveTheirEdges)
   options.preserveFeatures = FeaturePreservation::Off;
   const Wrapped smooth(target, options);
   EXPECT_GT(checks::hausdorff(smooth.surface, target, 0.05), 1e-3);
+}
+
+TEST(WrapFeatures, SpikesKeepTheirTips)
+{
+  // Two, of four sides of 29.5 degrees each, as four elements have them.
+  SurfaceMesh target = shapes::octahedron();
+  for (Vec3& point : target.points)
+  {
+    point = point.cwiseProduct(Vec3(0.5, 0.5, 1.3));
+  }
+  ShrinkWrapOptions options = quick(0.08, 64);
+  options.preserveFeatures = FeaturePreservation::Automatic;
+  const Wrapped wrapped(target, options);
+  expectSound(wrapped.surface, 0, 1, 22.0);
+  EXPECT_LT(checks::hausdorff(wrapped.surface, target, 0.02), 1e-12);
 }
 
 TEST(WrapFeatures, WhatElementsCannotCarryIsSaid)
