@@ -128,6 +128,7 @@ Surface ReadAnyPointSet(vtkPolyData* input)
   {
     set.mesh.points.push_back(all[static_cast<std::size_t>(point)]);
     set.cellOfFace.push_back(cell);
+    set.pointOfVertex.push_back(point);
   };
   const auto cells = vtk::TakeSmartPointer(input->GetVerts()->NewIterator());
   vtkIdType cell = 0;

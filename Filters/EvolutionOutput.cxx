@@ -114,13 +114,17 @@ vtkCellArray* EvolutionOutput::PolygonsOf(
 }
 
 //------------------------------------------------------------------------------
-void EvolutionOutput::WriteState(
-  std::size_t i, vtkPolyData* output, const evolving::Execution& execution)
+void EvolutionOutput::WriteState(std::size_t i, vtkPolyData* output,
+  const evolving::Execution& execution, const WriteData& writeData)
 {
   const auto state = this->Series.state(i, execution);
   output->Initialize();
   output->SetPolys(this->PolygonsOf(state->origin));
   KernelBridge::WritePoints(state->points, this->Type, output);
+  if (writeData)
+  {
+    writeData(*state);
+  }
   WritePointArrays(state->arrays, this->HasField, output);
   const auto iteration = static_cast<std::size_t>(state->record.iteration);
   WriteFieldArrays(
@@ -171,9 +175,10 @@ void WriteShapeArrays(const evolving::StateArrays& arrays, vtkPolyData* output)
 }
 
 //------------------------------------------------------------------------------
-void WriteEmpty(vtkPolyData* output, bool hasField)
+void WriteEmpty(vtkPolyData* output, bool hasField, const std::function<void()>& writeData)
 {
   output->ShallowCopy(KernelBridge::WritePolyData({}, VTK_FLOAT));
+  writeData();
   WritePointArrays({}, hasField, output);
 }
 

@@ -14,6 +14,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -34,11 +35,16 @@ public:
     const std::vector<int>& published, std::size_t memoryLimit,
     const evolving::Execution& execution, std::size_t flowBytes = 0);
 
+  /// Writes what is carried over from the input to a state.
+  using WriteData = std::function<void(const evolving::FlowState& state)>;
+
   /**
    * Points, polygons, point arrays and field arrays of the state published as number i. States
    * with equal polygons that are written one after the other share them.
+   * @param writeData called before there are arrays of the state's own; may be empty
    */
-  void WriteState(std::size_t i, vtkPolyData* output, const evolving::Execution& execution);
+  void WriteState(std::size_t i, vtkPolyData* output, const evolving::Execution& execution,
+    const WriteData& writeData = {});
 
   /// The state published as number i, as the kernel has it.
   evolving::SurfaceMesh Mesh(std::size_t i, const evolving::Execution& execution);
@@ -70,7 +76,8 @@ namespace EvolutionArrays
 /// The arrays that a surface has without a field: normals, curvature, co-volume, velocities, psi.
 void WriteShapeArrays(const evolving::StateArrays& arrays, vtkPolyData* output);
 /// The arrays of a surface that no rank but the first has: the same names, no tuples.
-void WriteEmpty(vtkPolyData* output, bool hasField);
+/// @param writeData those of the input
+void WriteEmpty(vtkPolyData* output, bool hasField, const std::function<void()>& writeData);
 /// The columns of the history without a row.
 void WriteEmptyHistory(vtkTable* output);
 }

@@ -23,6 +23,7 @@
 #include "Evolution/SurfaceRemesher.h"
 #include "Execution.h"
 #include "Mesh/FloatPoints.h"
+#include "Mesh/PolygonTriangulation.h"
 #include "Mesh/SurfaceMesh.h"
 #include "Mesh/TopologySummary.h"
 #include "Operators/SpoiledElements.h"
@@ -32,6 +33,7 @@
 #include "ShrinkWrap/SurfaceReport.h"
 #include "StartSurface/PrimitiveSurfaces.h"
 #include "Trees/AABBTree.h"
+#include "Trees/TrianglePlaces.h"
 
 #include "vtkSmartPointer.h"
 
@@ -59,6 +61,7 @@ struct Surface
 {
   evolving::SurfaceMesh mesh;
   std::vector<vtkIdType> cellOfFace;
+  std::vector<vtkIdType> pointOfVertex; ///< of a point set; those of a surface are the points
 };
 
 /// What execution by Run() came to.
@@ -115,6 +118,8 @@ Surface ReadTriangles(vtkPolyData* input, const evolving::Execution& execution);
 struct UsableMesh
 {
   evolving::SurfaceMesh mesh;
+  std::vector<vtkIdType> cellOfFace;    ///< of every triangle; of every vertex of a point set
+  std::vector<vtkIdType> pointOfVertex; ///< of every vertex, the input's point
   /// One sentence that counts the faces and points that cannot be used; empty when all can.
   std::string leftOut;
 };
@@ -133,13 +138,18 @@ UsableMesh ReadUsable(vtkPolyData* input, const evolving::Execution& execution);
  */
 Surface ReadPointSet(vtkPolyData* input);
 
+/// The numbers that `numbers` points at in `all`.
+std::vector<vtkIdType> Chosen(
+  const std::vector<vtkIdType>& all, const std::vector<evolving::Index>& numbers);
+
 /// Has the polydata polygons or strips? Otherwise it is a point set.
 bool HasFaces(vtkPolyData* input);
 
 /**
- * The image's active point scalars, first component, turned as its direction matrix says.
- * @throws evolving::InputError without scalars, with spacings that are not positive, a direction
- * matrix that is neither a rotation nor a reflection, or values that are not finite
+ * The image's active point scalars (ImageArray sees to it that there are some, of one component),
+ * turned as its direction matrix says.
+ * @throws evolving::InputError for too few of them, with spacings that are not positive, a
+ * direction matrix that is neither a rotation nor a reflection, or values that are not finite
  */
 evolving::ScalarImage ReadImage(vtkImageData* image);
 
@@ -174,13 +184,13 @@ bool AssignClamped(const int wanted[3], int lower, int upper, int stored[3]);
 int PointType(vtkPointSet* input);
 
 ///@{
-/// Adds a named point array.
+/// Adds a named point array, as ResultArrays does.
 void AddPointArray(vtkDataSet* data, const char* name, const std::vector<double>& values);
 void AddPointArray(vtkDataSet* data, const char* name, const std::vector<evolving::Vec3>& values);
 ///@}
 
 ///@{
-/// Adds (or replaces) a named field array of one value.
+/// Adds a named field array of one value, as ResultArrays does.
 void AddFieldValue(vtkDataObject* data, const char* name, double value);
 void AddFieldValue(vtkDataObject* data, const char* name, int value);
 void AddFieldValue(vtkDataObject* data, const char* name, const std::string& value);

@@ -4,11 +4,11 @@
 #include "KernelBridge.h"
 
 #include "CellReading.h"
-#include "Mesh/PolygonTriangulation.h"
 #include "Mesh/UsablePart.h"
 
 #include "vtkPolyData.h"
 
+#include <numeric>
 #include <sstream>
 #include <string>
 
@@ -58,15 +58,20 @@ void RequireUndamaged(const Surface& surface)
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkIdType> Numbers(evolving::Index count)
+{
+  std::vector<vtkIdType> numbers(static_cast<std::size_t>(count));
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+//------------------------------------------------------------------------------
 Surface SplitIntoTriangles(const Surface& surface, const evolving::Execution& execution)
 {
   Surface split;
   std::vector<evolving::Index> oldFace;
   split.mesh = evolving::triangulate(surface.mesh, oldFace, execution);
-  for (const evolving::Index face : oldFace)
-  {
-    split.cellOfFace.push_back(surface.cellOfFace[static_cast<std::size_t>(face)]);
-  }
+  split.cellOfFace = Chosen(surface.cellOfFace, oldFace);
   return split;
 }
 
@@ -98,7 +103,8 @@ Surface ReadPointSet(vtkPolyData* input)
 //------------------------------------------------------------------------------
 UsableMesh ReadUsable(vtkPolyData* input, const evolving::Execution& execution)
 {
-  const Surface surface = HasFaces(input) ? ReadAnySurface(input) : ReadAnyPointSet(input);
+  const bool hasFaces = HasFaces(input);
+  const Surface surface = hasFaces ? ReadAnySurface(input) : ReadAnyPointSet(input);
   const evolving::DamagedParts damaged = evolving::findDamagedParts(surface.mesh);
   if (static_cast<std::size_t>(damaged.count()) == surface.cellOfFace.size())
   {
@@ -108,11 +114,17 @@ UsableMesh ReadUsable(vtkPolyData* input, const evolving::Execution& execution)
   }
   UsableMesh usable;
   usable.mesh = surface.mesh;
+  usable.cellOfFace = surface.cellOfFace;
+  usable.pointOfVertex = hasFaces ? Numbers(surface.mesh.vertexCount()) : surface.pointOfVertex;
   if (damaged.count() > 0)
   {
-    usable.mesh = evolving::withoutDamagedParts(surface.mesh);
+    std::vector<evolving::Index> oldNumber;
+    usable.mesh = evolving::withoutDamagedParts(surface.mesh, &oldNumber);
+    usable.cellOfFace = Chosen(surface.cellOfFace, oldNumber);
+    usable.pointOfVertex =
+      hasFaces ? usable.pointOfVertex : Chosen(surface.pointOfVertex, oldNumber);
     const vtkIdType first = surface.cellOfFace[static_cast<std::size_t>(damaged.first)];
-    const bool isCell = HasFaces(input) || input->GetNumberOfVerts() > 0;
+    const bool isCell = hasFaces || input->GetNumberOfVerts() > 0;
     usable.leftOut = evolving::describeLeftOut(
       damaged, surface.mesh, (isCell ? "cell " : "point ") + std::to_string(first));
   }
@@ -120,8 +132,22 @@ UsableMesh ReadUsable(vtkPolyData* input, const evolving::Execution& execution)
   {
     std::vector<evolving::Index> oldFace;
     usable.mesh = evolving::triangulate(usable.mesh, oldFace, execution);
+    usable.cellOfFace = Chosen(usable.cellOfFace, oldFace);
   }
   return usable;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkIdType> Chosen(
+  const std::vector<vtkIdType>& all, const std::vector<evolving::Index>& numbers)
+{
+  std::vector<vtkIdType> chosen;
+  chosen.reserve(numbers.size());
+  for (const evolving::Index number : numbers)
+  {
+    chosen.push_back(all[static_cast<std::size_t>(number)]);
+  }
+  return chosen;
 }
 
 //------------------------------------------------------------------------------

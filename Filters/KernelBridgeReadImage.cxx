@@ -38,13 +38,6 @@ evolving::ImageAxes ReadAxes(vtkImageData* image, const evolving::Vec3& origin)
 evolving::ScalarImage ReadImage(vtkImageData* image)
 {
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  if (!scalars)
-  {
-    throw evolving::InputError(
-      "The image on the second input has no active point scalars, "
-      "expected a distance or an intensity; choose one of its point arrays, or use Cell Data "
-      "to Point Data first.");
-  }
   evolving::DistanceGrid grid;
   image->GetOrigin(grid.origin.data());
   image->GetSpacing(grid.spacing.data());

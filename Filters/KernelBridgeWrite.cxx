@@ -3,6 +3,8 @@
 
 #include "KernelBridge.h"
 
+#include "ResultArrays.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -22,13 +24,13 @@ namespace
 {
 
 //------------------------------------------------------------------------------
-void ReplaceFieldArray(vtkDataObject* data, vtkAbstractArray* array)
+void AddFieldArray(vtkDataObject* data, vtkAbstractArray* array)
 {
   if (!data->GetFieldData())
   {
     data->SetFieldData(vtkNew<vtkFieldData>());
   }
-  data->GetFieldData()->AddArray(array);
+  ResultArrays::Add(data->GetFieldData(), array);
 }
 
 } // namespace
@@ -115,7 +117,7 @@ void AddPointArray(vtkDataSet* data, const char* name, const std::vector<double>
   {
     array->SetValue(static_cast<vtkIdType>(i), values[i]);
   }
-  data->GetPointData()->AddArray(array);
+  ResultArrays::Add(data->GetPointData(), array);
 }
 
 //------------------------------------------------------------------------------
@@ -129,7 +131,7 @@ void AddPointArray(vtkDataSet* data, const char* name, const std::vector<evolvin
   {
     array->SetTypedTuple(static_cast<vtkIdType>(i), values[i].data());
   }
-  data->GetPointData()->AddArray(array);
+  ResultArrays::Add(data->GetPointData(), array);
 }
 
 //------------------------------------------------------------------------------
@@ -138,7 +140,7 @@ void AddFieldValue(vtkDataObject* data, const char* name, double value)
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
   array->InsertNextValue(value);
-  ReplaceFieldArray(data, array);
+  AddFieldArray(data, array);
 }
 
 //------------------------------------------------------------------------------
@@ -147,7 +149,7 @@ void AddFieldValue(vtkDataObject* data, const char* name, int value)
   vtkNew<vtkIntArray> array;
   array->SetName(name);
   array->InsertNextValue(value);
-  ReplaceFieldArray(data, array);
+  AddFieldArray(data, array);
 }
 
 //------------------------------------------------------------------------------
@@ -165,7 +167,7 @@ void AddFieldStrings(vtkDataObject* data, const char* name, const std::vector<st
   {
     array->InsertNextValue(value);
   }
-  ReplaceFieldArray(data, array);
+  AddFieldArray(data, array);
 }
 
 } // namespace KernelBridge

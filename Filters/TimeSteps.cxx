@@ -58,16 +58,4 @@ void Mark(vtkDataObject* output, double time)
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
 }
 
-//------------------------------------------------------------------------------
-void RequestLastStep(vtkInformation* inputRequest)
-{
-  inputRequest->Remove(Pipeline::UPDATE_TIME_STEP());
-  if (inputRequest->Has(Pipeline::TIME_STEPS()))
-  {
-    const int count = inputRequest->Length(Pipeline::TIME_STEPS());
-    inputRequest->Set(
-      Pipeline::UPDATE_TIME_STEP(), inputRequest->Get(Pipeline::TIME_STEPS())[count - 1]);
-  }
-}
-
 } // namespace TimeSteps

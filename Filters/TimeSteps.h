@@ -36,9 +36,6 @@ std::size_t Requested(vtkInformation* outputRequest, const std::vector<double>& 
 /// Says in the data which time they are of.
 void Mark(vtkDataObject* output, double time);
 
-/// A temporal input is asked for its last step, so that a look at another time is no new input.
-void RequestLastStep(vtkInformation* inputRequest);
-
 } // namespace TimeSteps
 
 #endif

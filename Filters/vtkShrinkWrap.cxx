@@ -3,14 +3,19 @@
 
 #include "vtkShrinkWrap.h"
 
+#include "CarriedArrays.h"
+#include "ClosestElements.h"
+#include "DataTransfer.h"
 #include "DistributedInput.h"
 #include "EvolutionCache.h"
 #include "EvolutionOutput.h"
+#include "InputStep.h"
 #include "KernelBridge.h"
 #include "TimeSteps.h"
 #include "WrapReport.h"
 
 #include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -43,6 +48,8 @@ struct vtkShrinkWrap::Cache : EvolutionCache<evolving::ShrinkWrapOptions>
 {
   evolving::SurfaceReport Report;
   std::vector<std::string> Shortcomings;
+  std::unique_ptr<const ClosestElements> Closest; ///< made when there are data
+  MisfitWarning Misfits;
 };
 
 //------------------------------------------------------------------------------
@@ -103,11 +110,11 @@ evolving::ShrinkWrapOptions vtkShrinkWrap::Options() const
 int vtkShrinkWrap::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  TimeSteps::Remove(outputVector->GetInformationObject(0));
-  TimeSteps::Remove(outputVector->GetInformationObject(1));
+  // Otherwise both outputs have the input's times, as VTK copies them.
   if (this->OutputSteps)
   {
     TimeSteps::Publish(outputVector->GetInformationObject(0), this->Times());
+    TimeSteps::Remove(outputVector->GetInformationObject(1));
   }
   return 1;
 }
@@ -124,7 +131,10 @@ int vtkShrinkWrap::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
-  TimeSteps::RequestLastStep(input);
+  if (this->OutputSteps)
+  {
+    InputStep{ this->InputTime, this->InputTimeIndex }.Request(input);
+  }
   this->WholeInput->RequestSurface(input);
   return 1;
 }
@@ -142,7 +152,8 @@ int vtkShrinkWrap::RequestData(
   vtkTable* history = vtkTable::GetData(outputVector, 1);
   if (!KernelBridge::WritesGeometry(request, outputVector))
   {
-    EvolutionArrays::WriteEmpty(output, true);
+    EvolutionArrays::WriteEmpty(
+      output, true, [input, output]() { DataTransfer::CopyWithoutTuples(input, output); });
     EvolutionArrays::WriteEmptyHistory(history);
     return 1;
   }
@@ -154,26 +165,68 @@ int vtkShrinkWrap::RequestData(
   const std::size_t step = this->OutputSteps
     ? TimeSteps::Requested(outputVector->GetInformationObject(0), times)
     : times.size() - 1;
+  vtkInformation* inputInformation = inputVector[0]->GetInformationObject(0);
   return KernelBridge::RunToOutputs(this, { output, history },
     [&](const evolving::Execution& execution)
     {
+      if (this->OutputSteps)
+      {
+        InputStep{ this->InputTime, this->InputTimeIndex }.Require(inputInformation);
+      }
       this->Solved->Check({ input }, this->Options());
       if (!this->Solved->Series)
       {
         this->Solve(input, execution);
       }
-      EvolutionOutput& series = *this->Solved->Series;
-      series.WriteState(step, output, execution);
-      series.WriteHistory(history);
-      if (step + 1 == times.size())
-      {
-        WrapReport::Write(this->Solved->Report, this->Solved->Shortcomings, output);
-      }
+      this->WriteState(step, input, output, execution);
+      this->Solved->Series->WriteHistory(history);
       if (this->OutputSteps)
       {
+        InputStep::Write(inputInformation, output);
         TimeSteps::Mark(output, times[step]);
       }
     });
+}
+
+//------------------------------------------------------------------------------
+void vtkShrinkWrap::WriteState(
+  std::size_t step, vtkPolyData* input, vtkPolyData* output, const evolving::Execution& execution)
+{
+  this->Solved->Misfits.Say(this, input);
+  this->Solved->Series->WriteState(step, output, execution,
+    [&](const evolving::FlowState& state) { this->WriteData(input, state, output, execution); });
+  if (step + 1 == this->Times().size())
+  {
+    WrapReport::Write(this->Solved->Report, this->Solved->Shortcomings, output);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkShrinkWrap::WriteData(vtkPolyData* input, const evolving::FlowState& state,
+  vtkPolyData* output, const evolving::Execution& execution)
+{
+  DataTransfer::PassFieldData(input, output);
+  const bool hasPointData =
+    this->PassPointData && CarriedArrays::OfPoints(input)->GetNumberOfArrays() > 0;
+  const bool hasCellData =
+    this->PassCellData && CarriedArrays::OfCells(input)->GetNumberOfArrays() > 0;
+  std::unique_ptr<const ClosestElements>& closest = this->Solved->Closest;
+  if ((hasPointData || hasCellData) && !closest)
+  {
+    const auto target = KernelBridge::ReadUsable(input, execution.phase(1.0, 1.0));
+    closest = std::make_unique<const ClosestElements>(
+      target.mesh, target.pointOfVertex, target.cellOfFace, execution.phase(1.0, 1.0));
+  }
+  if (hasPointData)
+  {
+    DataTransfer::InterpolatePoints(
+      input, closest->MixturesAt(state.points, execution.phase(1.0, 1.0)), output);
+  }
+  if (hasCellData)
+  {
+    const auto middles = FaceCenters(*state.origin, state.points);
+    DataTransfer::CopyCells(input, closest->CellsAt(middles, execution.phase(1.0, 1.0)), output);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -187,6 +240,7 @@ std::vector<double> vtkShrinkWrap::Times() const
 void vtkShrinkWrap::Solve(vtkPolyData* input, const evolving::Execution& execution)
 {
   ++this->NumberOfSolves;
+  this->Solved->Closest.reset();
   const evolving::ShrinkWrapOptions options = this->Options();
   KernelBridge::RequireMemory(
     evolving::mostSamples(options), evolving::wrapBytesPerSample(), "lower SampleDimensions");
@@ -249,5 +303,9 @@ void vtkShrinkWrap::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
   os << indent << "OffsetDistance: " << this->OffsetDistance << "\n";
+  os << indent << "InputTime: " << this->InputTime << "\n";
+  os << indent << "InputTimeIndex: " << this->InputTimeIndex << "\n";
+  os << indent << "PassPointData: " << this->PassPointData << "\n";
+  os << indent << "PassCellData: " << this->PassCellData << "\n";
   os << indent << "NumberOfSolves: " << this->NumberOfSolves << "\n";
 }

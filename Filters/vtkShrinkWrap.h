@@ -24,6 +24,14 @@
  * reached, holes and parts that were lost, and angles below 20 degrees, are said in a warning for
  * each, with the place, and in the field array Shortcomings.
  *
+ * Point, cell and field data of the input are on the output, too (PassPointData, PassCellData),
+ * with their roles, active scalars say. Not so ids, ghost types, normals and tangents, which mean
+ * other points and cells, and arrays that an earlier filter of this module made; where another
+ * array has the name of one below, it gets "_input" at the end of its name.
+ *
+ * Times are those of the input, and the one that is asked for is wrapped; with OutputSteps on they
+ * are the output's own, and one time step of the input is (`InputTime`).
+ *
  * Output 0 is the finished surface; with OutputSteps on it is the series of the evolution, step 0
  * the start and the last step the finished surface, as of vtkSurfaceEvolution. Point and field
  * arrays are those of vtkSurfaceEvolution; the finished surface has these field data as well:
@@ -50,14 +58,16 @@
 #include "vtkEvolvingSurfacesFiltersModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <memory> // For std::unique_ptr
-#include <vector> // For the times
+#include <cstddef> // For std::size_t
+#include <memory>  // For std::unique_ptr
+#include <vector>  // For the times
 
 class DistributedInput;
 
 namespace evolving
 {
 class Execution;
+struct FlowState;
 struct ShrinkWrapOptions;
 }
 
@@ -83,10 +93,18 @@ public:
     AUTOMATIC = 2
   };
 
+  /// Values of InputTime.
+  enum
+  {
+    FIRST_STEP = 0,
+    LAST_STEP = 1,
+    STEP_INDEX = 2
+  };
+
   ///@{
   /**
    * Publish the evolution as time steps, step 0 the start. Off by default: the output is the
-   * finished surface.
+   * finished surface, and its times are those of the input.
    */
   vtkSetMacro(OutputSteps, bool);
   vtkGetMacro(OutputSteps, bool);
@@ -206,6 +224,49 @@ public:
   vtkGetMacro(OffsetDistance, double);
   ///@}
 
+  ///@{
+  /**
+   * With OutputSteps: which time step of a temporal input is wrapped: FIRST_STEP,
+   * LAST_STEP (the default), or STEP_INDEX, the one of the number InputTimeIndex. The field array
+   * InputTime says which time that was.
+   */
+  vtkSetClampMacro(InputTime, int, FIRST_STEP, STEP_INDEX);
+  vtkGetMacro(InputTime, int);
+  void SetInputTimeToFirstStep() { this->SetInputTime(FIRST_STEP); }
+  void SetInputTimeToLastStep() { this->SetInputTime(LAST_STEP); }
+  void SetInputTimeToStepIndex() { this->SetInputTime(STEP_INDEX); }
+  ///@}
+
+  ///@{
+  /**
+   * Number of the time step for STEP_INDEX; inputs that have times must have it. The default is 0,
+   * the first one, the range 0 and above.
+   */
+  vtkSetClampMacro(InputTimeIndex, int, 0, VTK_INT_MAX);
+  vtkGetMacro(InputTimeIndex, int);
+  ///@}
+
+  ///@{
+  /**
+   * Point data of the input on the result: at the point of the input that is closest, floats,
+   * doubles and colors interpolated on its triangle, of other arrays the value of the nearest
+   * corner. Of a point set, those of the closest point. On by default.
+   */
+  vtkSetMacro(PassPointData, bool);
+  vtkGetMacro(PassPointData, bool);
+  vtkBooleanMacro(PassPointData, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Cell data of the input on the result: a triangle has those of the cell closest to its middle.
+   * On by default.
+   */
+  vtkSetMacro(PassCellData, bool);
+  vtkGetMacro(PassCellData, bool);
+  vtkBooleanMacro(PassCellData, bool);
+  ///@}
+
   /**
    * How often the evolution has been solved: it stays at one while only times change.
    */
@@ -228,6 +289,10 @@ private:
   evolving::ShrinkWrapOptions Options() const;
   std::vector<double> Times() const;
   void Solve(vtkPolyData* input, const evolving::Execution& execution);
+  void WriteState(std::size_t step, vtkPolyData* input, vtkPolyData* output,
+    const evolving::Execution& execution);
+  void WriteData(vtkPolyData* input, const evolving::FlowState& state, vtkPolyData* output,
+    const evolving::Execution& execution);
   void Warn(vtkPolyData* input);
 
   bool OutputSteps = false;
@@ -241,6 +306,10 @@ private:
   double FeatureAngle = 45.0;
   int NumberOfSteps = 0;
   double OffsetDistance = 0.0;
+  int InputTime = LAST_STEP;
+  int InputTimeIndex = 0;
+  bool PassPointData = true;
+  bool PassCellData = true;
   int NumberOfSolves = 0;
 
   struct Cache;

@@ -3,9 +3,14 @@
 
 #include "vtkSurfaceEvolution.h"
 
+#include "CarriedArrays.h"
+#include "DataTransfer.h"
 #include "DistributedInput.h"
 #include "EvolutionCache.h"
 #include "EvolutionOutput.h"
+#include "EvolutionStart.h"
+#include "ImageArray.h"
+#include "InputStep.h"
 #include "KernelBridge.h"
 #include "TimeSteps.h"
 
@@ -14,6 +19,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
@@ -30,17 +36,6 @@ std::size_t Bytes(int mebibytes)
   return static_cast<std::size_t>(mebibytes) << 20;
 }
 
-//------------------------------------------------------------------------------
-/// The input welded and, where it is closed, with normals outwards: contour filters turn them to
-/// lower values, which is inwards for a signed distance.
-evolving::SurfaceMesh StartSurface(const KernelBridge::Surface& surface)
-{
-  const evolving::SurfaceMesh start = evolving::weldCoincidentPoints(surface.mesh);
-  const bool isInsideOut =
-    evolving::summarizeTopology(start).isClosed() && evolving::signedVolume(start) < 0.0;
-  return isInsideOut ? evolving::reversed(start) : start;
-}
-
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -49,6 +44,8 @@ struct vtkSurfaceEvolution::Cache
   : EvolutionCache<
       std::tuple<evolving::FlowOptions, std::optional<evolving::SurfaceRemeshingOptions>, int, int>>
 {
+  std::unique_ptr<EvolutionStart> Start;
+  MisfitWarning Misfits;
 };
 
 //------------------------------------------------------------------------------
@@ -58,6 +55,7 @@ vtkSurfaceEvolution::vtkSurfaceEvolution()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
+  this->FieldArray = std::make_unique<ImageArray>(this, 1);
 }
 
 //------------------------------------------------------------------------------
@@ -160,12 +158,13 @@ int vtkSurfaceEvolution::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   vtkInformation* surface = inputVector[0]->GetInformationObject(0);
-  TimeSteps::RequestLastStep(surface);
+  const InputStep inputs{ this->InputTime, this->InputTimeIndex };
+  inputs.Request(surface);
   this->WholeInput->RequestSurface(surface);
   if (vtkInformation* field = inputVector[1]->GetInformationObject(0))
   {
     KernelBridge::RequestWholeImage(field);
-    TimeSteps::RequestLastStep(field);
+    inputs.Request(field);
   }
   return 1;
 }
@@ -179,12 +178,12 @@ int vtkSurfaceEvolution::RequestData(
     return 0;
   }
   vtkPolyData* input = this->WholeInput->Surface(inputVector[0]);
-  vtkImageData* field = vtkImageData::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* history = vtkTable::GetData(outputVector, 1);
   if (!KernelBridge::WritesGeometry(request, outputVector))
   {
-    EvolutionArrays::WriteEmpty(output, field != nullptr);
+    EvolutionArrays::WriteEmpty(output, vtkImageData::GetData(inputVector[1]) != nullptr,
+      [input, output]() { DataTransfer::CopyWithoutTuples(input, output); });
     EvolutionArrays::WriteEmptyHistory(history);
     return 1;
   }
@@ -192,48 +191,79 @@ int vtkSurfaceEvolution::RequestData(
   {
     return KernelBridge::RefuseUnlessEmpty(this, input);
   }
-  const auto published =
-    evolving::publishedIterations(this->NumberOfSteps, this->SmoothingSteps, this->OutputInterval);
-  Cache& cache = *this->Solved;
-  cache.Check({ input, field },
-    { this->Options(), this->RemeshingOptions(), this->OutputInterval, this->CacheLimit });
   return KernelBridge::RunToOutputs(this, { output, history },
     [&](const evolving::Execution& execution)
     {
-      if (!cache.Series)
-      {
-        cache.Series = this->Solve(input, field, published, execution);
-      }
-      // They may end earlier than published before: where the surface has shrunk to a point.
-      const auto times =
-        TimeSteps::Times(cache.Series->Flow().iterations(), this->PublishedTimeStep());
-      vtkInformation* information = outputVector->GetInformationObject(0);
-      if (cache.Series->Flow().extinctionTime())
-      {
-        TimeSteps::Publish(information, times);
-      }
-      const std::size_t step = TimeSteps::Requested(information, times);
-      cache.Series->WriteState(step, output, execution);
-      KernelBridge::AddFieldValue(output, "TimeStep", cache.Series->Flow().timeStep());
-      cache.Series->WriteHistory(history);
-      TimeSteps::Mark(output, times[step]);
+      this->UpdateSeries(input, inputVector, execution);
+      this->WriteState(input, outputVector, execution);
+      InputStep::Write(inputVector[0]->GetInformationObject(0), output);
+      this->Solved->Series->WriteHistory(history);
     });
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<EvolutionOutput> vtkSurfaceEvolution::Solve(vtkPolyData* input, vtkImageData* field,
-  const std::vector<int>& published, const evolving::Execution& execution)
+/// Solves the flow, unless the last one is of the same inputs and parameters.
+void vtkSurfaceEvolution::UpdateSeries(
+  vtkPolyData* input, vtkInformationVector** inputVector, const evolving::Execution& execution)
 {
-  const auto start = std::make_shared<const evolving::SurfaceMesh>(
-    StartSurface(this->Remeshing == OFF || this->Remeshing == AUTOMATIC
-        ? KernelBridge::ReadSurface(input)
-        : KernelBridge::ReadTriangles(input, execution.phase(0.0, 0.0))));
+  for (int port = 0; port < 2; ++port)
+  {
+    if (vtkInformation* information = inputVector[port]->GetInformationObject(0))
+    {
+      InputStep{ this->InputTime, this->InputTimeIndex }.Require(information);
+    }
+  }
+  vtkImageData* field = this->FieldArray->Get(this, inputVector);
+  evolving::FlowOptions options = this->Options();
+  options.tracesStart = this->Remeshing != OFF && CarriedArrays::HasAny(input);
+  Cache& cache = *this->Solved;
+  cache.Check({ input, field },
+    { options, this->RemeshingOptions(), this->OutputInterval, this->CacheLimit });
+  if (!cache.Series)
+  {
+    cache.Series = this->Solve(input, field, options, execution);
+  }
+  cache.Misfits.Say(this, input);
+}
+
+//------------------------------------------------------------------------------
+/// The state that the update asks for.
+void vtkSurfaceEvolution::WriteState(
+  vtkPolyData* input, vtkInformationVector* outputVector, const evolving::Execution& execution)
+{
+  Cache& cache = *this->Solved;
+  // They may end earlier than published before: where the surface has shrunk to a point.
+  const auto times = TimeSteps::Times(cache.Series->Flow().iterations(), this->PublishedTimeStep());
+  vtkInformation* information = outputVector->GetInformationObject(0);
+  if (cache.Series->Flow().extinctionTime())
+  {
+    TimeSteps::Publish(information, times);
+  }
+  const std::size_t step = TimeSteps::Requested(information, times);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  cache.Series->WriteState(step, output, execution,
+    [&](const evolving::FlowState& state)
+    {
+      DataTransfer::PassFieldData(input, output);
+      cache.Start->WriteData(input, state, output, execution);
+    });
+  CarriedArrays::RenewNormals(input, output);
+  KernelBridge::AddFieldValue(output, "TimeStep", cache.Series->Flow().timeStep());
+  TimeSteps::Mark(output, times[step]);
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<EvolutionOutput> vtkSurfaceEvolution::Solve(vtkPolyData* input, vtkImageData* field,
+  const evolving::FlowOptions& options, const evolving::Execution& execution)
+{
+  const bool isSplit = this->Remeshing != OFF && this->Remeshing != AUTOMATIC;
+  this->Solved->Start = std::make_unique<EvolutionStart>(input, isSplit, execution.phase(0.0, 0.0));
+  const auto start = this->Solved->Start->Mesh();
   std::shared_ptr<const evolving::ScalarImage> image;
   if (field)
   {
     image = std::make_shared<const evolving::ScalarImage>(KernelBridge::ReadImage(field));
   }
-  const evolving::FlowOptions options = this->Options();
   std::shared_ptr<evolving::Remesher> remesher;
   if (const auto remeshing = this->RemeshingOptions())
   {
@@ -245,7 +275,8 @@ std::unique_ptr<EvolutionOutput> vtkSurfaceEvolution::Solve(vtkPolyData* input, 
     KernelBridge::PointType(input), image != nullptr,
     [start, image, remesher, options](const evolving::Execution& host)
     { return evolving::SurfaceFlow(start, image, remesher, options, host); },
-    published, Bytes(this->CacheLimit), execution, imageBytes);
+    evolving::publishedIterations(this->NumberOfSteps, this->SmoothingSteps, this->OutputInterval),
+    Bytes(this->CacheLimit), execution, imageBytes);
   if (series->PointType() != KernelBridge::PointType(input))
   {
     KernelBridge::WarnOfDoubles(this);
@@ -288,6 +319,8 @@ void vtkSurfaceEvolution::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TargetEdgeLength: " << this->TargetEdgeLength << "\n";
   os << indent << "RemeshingInterval: " << this->RemeshingInterval << "\n";
   os << indent << "SolverTolerance: " << this->SolverTolerance << "\n";
+  os << indent << "InputTime: " << this->InputTime << "\n";
+  os << indent << "InputTimeIndex: " << this->InputTimeIndex << "\n";
   os << indent << "CacheLimit: " << this->CacheLimit << "\n";
   os << indent << "NumberOfSolves: " << this->NumberOfSolves << "\n";
 }

@@ -16,7 +16,9 @@
  * with boundary; coincident points are joined first, and a closed surface that is inside out, as
  * contour filters make it of a signed distance, is turned. Input 1, optional, is a vtkImageData
  * whose active point scalars are the field: a signed distance (negative inside, as vtkMeshSDF makes
- * it), or an image to segment (`FieldMode`); its direction matrix may turn or mirror it. Without it
+ * it), or an image to segment (`FieldMode`); its direction matrix may turn or mirror it. Another
+ * array, of the points or the cells, is chosen by SetInputArrayToProcess(0, 1, 0, association,
+ * name); it must have one number for each, and cells count as samples at their middles. Without it
  * the flow is pure mean curvature flow.
  *
  * Output 0 is the surface at a time step: t = 0 is the start, then every OutputInterval-th step,
@@ -28,6 +30,18 @@
  * RedistributionPotential; at the boundary MeanCurvature contains the pull along the surface. Field
  * data: Iteration, Time, TimeStep, Area, Volume, MeanDistance, MaxDistance, MinAngle; and, where
  * that happened, Stopped, the step after which the flow could not go on, or ExtinctionTime.
+ *
+ * Point and cell data of the input go with the points: they are as they are while the elements are
+ * the start's (of coincident points those of the first). A point of new elements has the data of
+ * the place on the start where it came from: floats, doubles and colors interpolated, of other
+ * arrays the value of the nearest corner; a new cell has those of the cell there; ids and ghost
+ * types end with the elements that they mean. Arrays of the names above that an earlier filter of
+ * this module made are replaced; anyone else's stay, under their name with "_input" at its end.
+ * Active scalars stay active. Normals and tangents of the input are not those of a surface that has
+ * moved, and are left out; where there were active point normals, the array Normals is active.
+ *
+ * Times are the output's own: of an input with time steps one is evolved (`InputTime`), and field
+ * data, InputTime, say which.
  *
  * No step turns an element over: where the flow would, at a neck that pinches off or at slivers,
  * points also move along the surface, go with those around them, or wait. A step that would turn
@@ -59,10 +73,10 @@
 
 #include <memory>   // For std::unique_ptr
 #include <optional> // For the options of remeshing
-#include <vector>   // For the published iterations
 
 class DistributedInput;
 class EvolutionOutput;
+class ImageArray;
 class vtkImageData;
 class vtkPolyData;
 
@@ -126,6 +140,14 @@ public:
     UNIFORM = 1,
     CURVATURE_ADAPTIVE = 2,
     AUTOMATIC = 3
+  };
+
+  /// Values of InputTime.
+  enum
+  {
+    FIRST_STEP = 0,
+    LAST_STEP = 1,
+    STEP_INDEX = 2
   };
 
   /// The field: a vtkImageData on input port 1.
@@ -411,6 +433,28 @@ public:
 
   ///@{
   /**
+   * Which time step of temporal inputs is evolved, as times of the output are its own: FIRST_STEP,
+   * LAST_STEP (the default), or STEP_INDEX, the one of the number InputTimeIndex. The field array
+   * InputTime says which time that was.
+   */
+  vtkSetClampMacro(InputTime, int, FIRST_STEP, STEP_INDEX);
+  vtkGetMacro(InputTime, int);
+  void SetInputTimeToFirstStep() { this->SetInputTime(FIRST_STEP); }
+  void SetInputTimeToLastStep() { this->SetInputTime(LAST_STEP); }
+  void SetInputTimeToStepIndex() { this->SetInputTime(STEP_INDEX); }
+  ///@}
+
+  ///@{
+  /**
+   * Number of the time step for STEP_INDEX; inputs that have times must have it. The default is 0,
+   * the first one, the range 0 and above.
+   */
+  vtkSetClampMacro(InputTimeIndex, int, 0, VTK_INT_MAX);
+  vtkGetMacro(InputTimeIndex, int);
+  ///@}
+
+  ///@{
+  /**
    * Memory for the states of the series, in MiB. Above it every second state is dropped and
    * computed again when asked for; then what they are computed from counts too. The default is
    * 2048, the range 1 and above.
@@ -443,7 +487,11 @@ private:
   evolving::FlowOptions Options() const;
   std::optional<evolving::SurfaceRemeshingOptions> RemeshingOptions() const;
   std::unique_ptr<EvolutionOutput> Solve(vtkPolyData* input, vtkImageData* field,
-    const std::vector<int>& published, const evolving::Execution& execution);
+    const evolving::FlowOptions& options, const evolving::Execution& execution);
+  void UpdateSeries(
+    vtkPolyData* input, vtkInformationVector** inputVector, const evolving::Execution& execution);
+  void WriteState(
+    vtkPolyData* input, vtkInformationVector* outputVector, const evolving::Execution& execution);
 
   double TimeStep = 0.0;
   int NumberOfSteps = 150;
@@ -472,12 +520,15 @@ private:
   double TargetEdgeLength = 0.0;
   int RemeshingInterval = 1;
   double SolverTolerance = 1e-10;
+  int InputTime = LAST_STEP;
+  int InputTimeIndex = 0;
   int CacheLimit = 2048;
   int NumberOfSolves = 0;
 
   struct Cache;
   std::unique_ptr<Cache> Solved;
   std::unique_ptr<DistributedInput> WholeInput;
+  std::unique_ptr<ImageArray> FieldArray;
 };
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "vtkTangentialRedistribution.h"
 
+#include "CarriedArrays.h"
 #include "DistributedInput.h"
 #include "EvolutionOutput.h"
 #include "KernelBridge.h"
@@ -93,6 +94,7 @@ int vtkTangentialRedistribution::RequestData(
   if (!KernelBridge::WritesGeometry(request, outputVector))
   {
     KernelBridge::CopyWithoutTuples(input, output);
+    CarriedArrays::RemoveNormals(output);
     EvolutionArrays::WriteShapeArrays({}, output);
     return 1;
   }
@@ -107,6 +109,7 @@ int vtkTangentialRedistribution::RequestData(
       const evolving::SurfaceRedistributionResult result =
         evolving::redistributeSurface(surface.mesh, this->Options(), execution);
       output->ShallowCopy(input);
+      CarriedArrays::RemoveNormals(output);
       const int wanted = KernelBridge::PointType(input);
       const bool areHeld = wanted == VTK_DOUBLE || FloatsKeepElements(result, execution);
       KernelBridge::MoveWeldedPoints(
@@ -116,6 +119,7 @@ int vtkTangentialRedistribution::RequestData(
         KernelBridge::WarnOfDoubles(this);
       }
       EvolutionArrays::WriteShapeArrays(KernelBridge::Unweld(surface, result.arrays), output);
+      CarriedArrays::RenewNormals(input, output);
     });
 }
 

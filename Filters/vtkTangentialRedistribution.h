@@ -13,7 +13,10 @@
  * The input is an oriented 2-manifold of triangles, quads or polygons, closed or with boundary;
  * points with equal coordinates count as one and stay together. The output has these point arrays
  * in addition: Normals, MeanCurvature, CoVolume, TangentialVelocity, RedistributionPotential, as
- * they are at the end.
+ * they are at the end. Arrays of these names that an earlier filter of this module made are
+ * replaced; anyone else's stay, under their name with "_input" at its end. Normals and tangents of
+ * the input are not those of points that have moved, and are left out; where there were active
+ * point normals, the array Normals is active.
  *
  * Points are of the input's type, float or double. Where floats are so far apart that elements
  * would lose their shapes (angles by a degree on the average) or turn over, the points are double,

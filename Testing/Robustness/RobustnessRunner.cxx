@@ -6,6 +6,7 @@
 #include "Arguments.h"
 #include "Generator.h"
 #include "Report.h"
+#include "Subject.h"
 #include "Trial.h"
 
 #include "vtkNew.h"
@@ -38,7 +39,7 @@ const FilterKind& filterOf(std::uint64_t seed, const Arguments& arguments)
 void saveInput(std::uint64_t seed, const std::string& file)
 {
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputDataObject(toPolyData(makeModel(seed)));
+  writer->SetInputDataObject(Subject(makeModel(seed)).data);
   writer->SetFileName(file.c_str());
   writer->SetDataModeToBinary(); // ParaView 5.11 reads its appended data back empty
   writer->Write();

@@ -3,9 +3,15 @@
 
 #include "Subject.h"
 
+#include "DataJudge.h"
+
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -73,11 +79,34 @@ bool hasNaNVertices(const Model& model)
     [&](const Cell& cell) { return std::any_of(cell.begin(), cell.end(), isNaN); });
 }
 
+/// With data to be found again on outputs.
+vtkSmartPointer<vtkPolyData> dressed(const vtkSmartPointer<vtkPolyData>& data)
+{
+  vtkNew<vtkDoubleArray> places;
+  places->SetName(PlaceArray);
+  places->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    Vec3 point;
+    data->GetPoint(i, point.data());
+    places->InsertNextTuple(point.allFinite() ? point.data() : Vec3(Vec3::Zero()).data());
+  }
+  data->GetPointData()->AddArray(places);
+  vtkNew<vtkIdTypeArray> numbers;
+  numbers->SetName(NumberArray);
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+  {
+    numbers->InsertNextValue(i);
+  }
+  data->GetCellData()->AddArray(numbers);
+  return data;
+}
+
 } // namespace
 
 Subject::Subject(const Model& made)
   : model(made)
-  , data(toPolyData(made))
+  , data(dressed(toPolyData(made)))
   , surface(surfaceOf(this->data))
   , radius(radiusOf(made))
   , centre(centreOf(made))

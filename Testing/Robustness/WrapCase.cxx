@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "DataJudge.h"
 #include "EvolutionJudge.h"
 #include "FilterCase.h"
 #include "OutputChecks.h"
@@ -63,6 +64,7 @@ public:
     const bool liesOnTarget =
       this->Filter->GetOffsetDistance() == 0.0 && this->Filter->GetGapSize() == 0.0;
     judgeWrap(this->Input, liesOnTarget, warnings, result);
+    judgeWrappedData(this->Input, result);
     // MaxDistance and MinAngle of the finished surface mean the distance from where it should be,
     // and are measured anew.
     judgeHistory(vtkTable::SafeDownCast(this->Filter->GetOutputDataObject(1)), result,

@@ -20,6 +20,10 @@ EvolvingSurface::EvolvingSurface(std::shared_ptr<const SurfaceMesh> start,
   , Field(std::make_unique<ControlField>(std::move(field), setup.options, execution))
   , NewElements(std::move(remesher))
 {
+  if (this->NewElements && setup.options.tracesStart)
+  {
+    this->Trace = std::make_unique<const StartTrace>(*start, execution);
+  }
   this->setElements(std::move(start), execution);
   this->SmallestComponent = this->Motion->smallestComponentArea();
 }
@@ -54,6 +58,7 @@ void EvolvingSurface::setPlace(const SurfacePlace& place, const Execution& execu
     this->setElements(place.origin, execution);
   }
   this->Origin = place.origin; // states that have it share it again
+  this->StartPoints = place.startPoints;
   this->Motion->setPosition(place.position);
   this->HasVelocities = false;
 }
@@ -96,6 +101,19 @@ void EvolvingSurface::move(int iteration, int parts, const Execution& execution)
   }
 }
 
+std::shared_ptr<const std::vector<Vec3>> EvolvingSurface::traceStart(
+  const SurfaceMesh& remeshed, const Execution& execution) const
+{
+  if (!this->Trace)
+  {
+    return nullptr;
+  }
+  // The elements that are not new are those of the start: the origin is the start.
+  const std::vector<Vec3>& old = this->StartPoints ? *this->StartPoints : this->Origin->points;
+  return std::make_shared<const std::vector<Vec3>>(
+    this->Trace->carryOver(this->mesh(), old, remeshed, execution));
+}
+
 bool EvolvingSurface::remesh(bool isLast, const Execution& execution)
 {
   if (!this->NewElements)
@@ -113,8 +131,10 @@ bool EvolvingSurface::remesh(bool isLast, const Execution& execution)
   try
   {
     validate(*remeshed);
+    auto startPoints = this->traceStart(*remeshed, execution.phase(0.8, 0.8));
     this->setElements(
       std::make_shared<const SurfaceMesh>(std::move(*remeshed)), execution.phase(0.8, 0.9));
+    this->StartPoints = std::move(startPoints);
     this->Guard.require(this->mesh(), execution.phase(0.9, 1.0));
   }
   catch (const SurfaceVanished&)

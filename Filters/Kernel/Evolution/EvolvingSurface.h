@@ -12,6 +12,7 @@
 #include "Evolution/ControlFunctions.h"
 #include "Evolution/FlowSetup.h"
 #include "Evolution/Remesher.h"
+#include "Evolution/StartTrace.h"
 #include "Evolution/SurfaceGuard.h"
 #include "Evolution/VertexMotion.h"
 #include "Execution.h"
@@ -27,6 +28,7 @@ struct SurfacePlace
 {
   std::shared_ptr<const SurfaceMesh> origin; ///< see FlowState::origin
   SurfacePosition position;
+  std::shared_ptr<const std::vector<Vec3>> startPoints; ///< see FlowState::startPoints
 };
 
 /**
@@ -52,7 +54,10 @@ public:
   /// The area of its elements with other points.
   double areaAt(const std::vector<Vec3>& points, const Execution& execution) const;
 
-  SurfacePlace place() const { return { this->Origin, this->Motion->position() }; }
+  SurfacePlace place() const
+  {
+    return { this->Origin, this->Motion->position(), this->StartPoints };
+  }
   void setPlace(const SurfacePlace& place, const Execution& execution);
 
   /// Computes the velocities of the step after an iteration. @throws SolverError, Cancelled
@@ -73,6 +78,8 @@ public:
   void resetSolverIterations() { this->SolverIterations = 0; }
 
 private:
+  std::shared_ptr<const std::vector<Vec3>> traceStart(
+    const SurfaceMesh& remeshed, const Execution& execution) const;
   void setElements(std::shared_ptr<const SurfaceMesh> origin, const Execution& execution);
 
   FlowSetup Setup;
@@ -80,6 +87,8 @@ private:
   std::unique_ptr<const ControlField> Field; ///< at one place: the motion refers to it
   std::shared_ptr<Remesher> NewElements;
   std::shared_ptr<const SurfaceMesh> Origin;
+  std::unique_ptr<const StartTrace> Trace; ///< null when the start is not traced
+  std::shared_ptr<const std::vector<Vec3>> StartPoints;
   double SmallestComponent = 0.0; ///< area of one at the start
   std::unique_ptr<VertexMotion> Motion;
   bool HasVelocities = false; ///< the motion's are those of its position

@@ -49,6 +49,7 @@ struct FlowOptions
   double longestAdvection = 0.0; ///< of a vertex in a step, in its mean edge lengths; 0 = any
   int remeshingInterval = 1;     ///< steps from remeshing to remeshing, with a remesher
   double solverTolerance = 1e-10;
+  bool tracesStart = false; ///< keeps FlowState::startPoints, with a remesher
 
   int totalSteps() const { return this->numberOfSteps + this->smoothingSteps; }
   /// Is the step after that iteration one of the smoothing steps?
@@ -65,12 +66,13 @@ inline auto membersOf(const FlowOptions& options)
   const auto& [timeStep, numberOfSteps, curvatureSpeed, curvatureRange, advectionSpeed,
     advectionBalance, relativeUnits, fieldMode, edgeSharpness, unsignedField, redistribution,
     smoothingSteps, smoothingSpeed, smoothingDecay, boundaryMode, surfaceGuard,
-    convergenceTolerance, stallSteps, longestAdvection, remeshingInterval, solverTolerance] =
-    options;
+    convergenceTolerance, stallSteps, longestAdvection, remeshingInterval, solverTolerance,
+    tracesStart] = options;
   return std::tie(timeStep, numberOfSteps, curvatureSpeed, curvatureRange, advectionSpeed,
     advectionBalance, relativeUnits, fieldMode, edgeSharpness, unsignedField, redistribution,
     smoothingSteps, smoothingSpeed, smoothingDecay, boundaryMode, surfaceGuard,
-    convergenceTolerance, stallSteps, longestAdvection, remeshingInterval, solverTolerance);
+    convergenceTolerance, stallSteps, longestAdvection, remeshingInterval, solverTolerance,
+    tracesStart);
 }
 
 bool operator==(const FlowOptions& a, const FlowOptions& b);

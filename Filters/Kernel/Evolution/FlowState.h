@@ -45,6 +45,9 @@ struct FlowState
   FlowRecord record;
   StallTest stall; ///< for resume() only
   bool hasConverged = false;
+  /// For every vertex of the origin the point of the start that it came from; null while the
+  /// elements are the start's, and without FlowOptions::tracesStart.
+  std::shared_ptr<const std::vector<Vec3>> startPoints;
 
   /// The origin's faces at the state's points.
   SurfaceMesh mesh() const;

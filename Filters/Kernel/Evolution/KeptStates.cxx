@@ -17,7 +17,8 @@ std::size_t bytesAfter(
   const std::vector<std::shared_ptr<const FlowState>>& before, const FlowState& state)
 {
   const bool isOriginNew = before.empty() || before.back()->origin != state.origin;
-  return bytesOf(state) + (isOriginNew ? bytesOf(*state.origin) : 0);
+  const std::size_t traced = state.startPoints ? state.startPoints->size() * sizeof(Vec3) : 0;
+  return bytesOf(state) + (isOriginNew ? bytesOf(*state.origin) + traced : 0);
 }
 
 } // namespace

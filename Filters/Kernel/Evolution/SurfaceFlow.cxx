@@ -260,12 +260,14 @@ FlowState SurfaceFlow::state() const
 {
   SurfacePlace place = this->Surface.place();
   return { std::move(place.origin), std::move(place.position.points),
-    std::move(place.position.onCurves), this->Arrays, this->Record, this->Stall, this->Converged };
+    std::move(place.position.onCurves), this->Arrays, this->Record, this->Stall, this->Converged,
+    std::move(place.startPoints) };
 }
 
 void SurfaceFlow::restore(const FlowState& state, const Execution& execution)
 {
-  this->Surface.setPlace({ state.origin, { state.points, state.curvePositions } }, execution);
+  this->Surface.setPlace(
+    { state.origin, { state.points, state.curvePositions }, state.startPoints }, execution);
   this->Arrays = state.arrays;
   this->Record = state.record;
   this->Stall = state.stall;

@@ -61,16 +61,24 @@ DamagedParts findDamagedParts(const SurfaceMesh& mesh)
   return damaged;
 }
 
-SurfaceMesh withoutDamagedParts(const SurfaceMesh& mesh)
+SurfaceMesh withoutDamagedParts(const SurfaceMesh& mesh, std::vector<Index>* oldNumber)
 {
+  const auto note = [oldNumber](Index number)
+  {
+    if (oldNumber)
+    {
+      oldNumber->push_back(number);
+    }
+  };
   SurfaceMesh usable;
   if (mesh.faceCount() == 0)
   {
-    for (const Vec3& point : mesh.points)
+    for (Index v = 0; v < mesh.vertexCount(); ++v)
     {
-      if (point.allFinite())
+      if (mesh.points[at(v)].allFinite())
       {
-        usable.addPoint(point);
+        usable.addPoint(mesh.points[at(v)]);
+        note(v);
       }
     }
     return usable;
@@ -84,6 +92,7 @@ SurfaceMesh withoutDamagedParts(const SurfaceMesh& mesh)
       const auto begin = mesh.cornerVertices.begin() + mesh.faceOffsets[at(face)];
       corners.assign(begin, begin + mesh.faceSize(face));
       usable.addFace(corners);
+      note(face);
     }
   }
   return usable;

@@ -13,6 +13,7 @@
 #include "Types.h"
 
 #include <string>
+#include <vector>
 
 namespace evolving
 {
@@ -33,8 +34,10 @@ DamagedParts findDamagedParts(const SurfaceMesh& mesh);
 /**
  * The mesh without its damaged faces; all points stay, with their numbers. A mesh without faces
  * loses its points that are not finite.
+ * @param[out] oldNumber when not null, of every face that is left, or of every point of a mesh
+ * without faces, the old number
  */
-SurfaceMesh withoutDamagedParts(const SurfaceMesh& mesh);
+SurfaceMesh withoutDamagedParts(const SurfaceMesh& mesh, std::vector<Index>* oldNumber = nullptr);
 
 /**
  * One sentence that says what was left out of a mesh.

@@ -4,7 +4,7 @@
 #include "Remeshing/CurvedReference.h"
 
 #include "ParallelLoops.h"
-#include "Remeshing/Barycentric.h"
+#include "Trees/Barycentric.h"
 
 #include <limits>
 

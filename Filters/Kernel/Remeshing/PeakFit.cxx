@@ -4,7 +4,7 @@
 #include "Remeshing/PeakFit.h"
 
 #include "ParallelLoops.h"
-#include "Remeshing/Barycentric.h"
+#include "Trees/Barycentric.h"
 #include "Remeshing/FaceGroup.h"
 #include "Remeshing/OrderedTasks.h"
 #include "Remeshing/SurfaceFit.h"

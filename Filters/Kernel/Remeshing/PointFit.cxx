@@ -5,7 +5,7 @@
 
 #include "Algebra/ConjugateGradients.h"
 #include "ParallelLoops.h"
-#include "Remeshing/Barycentric.h"
+#include "Trees/Barycentric.h"
 #include "Remeshing/InversionFreeMove.h"
 #include "Trees/AABBTree.h"
 

@@ -4,7 +4,7 @@
 #include "ShrinkWrap/WrapReference.h"
 
 #include "ParallelLoops.h"
-#include "Remeshing/Barycentric.h"
+#include "Trees/Barycentric.h"
 #include "ShrinkWrap/ClosedParts.h"
 #include "ShrinkWrap/SurfaceReport.h"
 #include "ShrinkWrap/TrianglePlaces.h"

@@ -44,8 +44,11 @@ TEST(UsablePart, DamagedFacesAreCountedAndLeftOut)
   EXPECT_EQ(damaged.notFinite, 2);
   EXPECT_EQ(damaged.tooFewCorners, 1);
   EXPECT_EQ(damaged.first, 0);
-  const SurfaceMesh usable = withoutDamagedParts(damagedMesh());
+  std::vector<Index> oldFace;
+  const SurfaceMesh usable = withoutDamagedParts(damagedMesh(), &oldFace);
   ASSERT_EQ(usable.faceCount(), 1);
+  ASSERT_EQ(oldFace.size(), 1u);
+  EXPECT_EQ(damagedMesh().faceSize(oldFace[0]), 4);
   EXPECT_EQ(usable.faceSize(0), 4);
   EXPECT_EQ(usable.faceVertex(0, 3), 4);
   EXPECT_NO_THROW(validate(usable));
@@ -62,9 +65,11 @@ TEST(UsablePart, PointsThatAreNotFiniteAreLeftOutOfAPointSet)
   const DamagedParts damaged = findDamagedParts(set);
   EXPECT_EQ(damaged.count(), 1);
   EXPECT_EQ(damaged.first, 1);
-  const SurfaceMesh usable = withoutDamagedParts(set);
+  std::vector<Index> oldPoint;
+  const SurfaceMesh usable = withoutDamagedParts(set, &oldPoint);
   ASSERT_EQ(usable.vertexCount(), 2);
   EXPECT_EQ(usable.points[1], Vec3(4, 5, 6));
+  EXPECT_EQ(oldPoint, std::vector<Index>({ 0, 2 }));
   EXPECT_EQ(describeLeftOut(damaged, set, "point 1"),
     "1 of the input's 3 points were left out, the first of them point 1: 1 with coordinates that "
     "are not finite; repair them if they should count.");

@@ -3,7 +3,7 @@
 
 #include "Remeshing/FaceShape.h"
 
-#include "Remeshing/Barycentric.h"
+#include "Trees/Barycentric.h"
 #include "Shapes/MeshVariants.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include "Remeshing/TargetSamples.h"
 
-#include "Remeshing/Barycentric.h"
+#include "Trees/Barycentric.h"
 #include "Remeshing/RemeshingShapes.h"
 #include "Shapes/Sheets.h"
 #include "Shapes/Spheres.h"

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ImageArray.h"
+
+#include "KernelBridge.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+
+namespace
+{
+
+//------------------------------------------------------------------------------
+/// "a", "b" of the points and "c" of the cells.
+std::string NamesOfArrays(vtkImageData* image)
+{
+  std::ostringstream names;
+  for (const int where : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    vtkDataSetAttributes* data = image->GetAttributes(where);
+    const char* elements = where == vtkDataObject::POINT ? " (points)" : " (cells)";
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      const char* name = data->GetAbstractArray(i)->GetName();
+      names << (names.tellp() > 0 ? ", \"" : "\"") << (name ? name : "") << "\"" << elements;
+    }
+  }
+  return names.tellp() > 0 ? names.str() : "none";
+}
+
+//------------------------------------------------------------------------------
+[[noreturn]] void Refuse(const std::string& what, const std::string& expected)
+{
+  throw evolving::InputError(what + ", expected " + expected + ".");
+}
+
+//------------------------------------------------------------------------------
+struct Choice
+{
+  std::string Name; ///< empty: the active scalars
+  bool IsOfCells = false;
+};
+
+//------------------------------------------------------------------------------
+/// ParaView sends an empty name where there was nothing to choose from.
+Choice ChoiceOf(vtkInformation* chosen, int port)
+{
+  if (!chosen)
+  {
+    return {};
+  }
+  if (chosen->Get(vtkAlgorithm::INPUT_PORT()) != port)
+  {
+    Refuse("The array to process was chosen of input port " +
+        std::to_string(chosen->Get(vtkAlgorithm::INPUT_PORT())),
+      "port " + std::to_string(port) + ", where the image is");
+  }
+  const int where = chosen->Get(vtkDataObject::FIELD_ASSOCIATION());
+  const char* name = chosen->Get(vtkDataObject::FIELD_NAME());
+  return { name ? name : "", where == vtkDataObject::FIELD_ASSOCIATION_CELLS };
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* Find(vtkImageData* image, const Choice& choice)
+{
+  const int where = choice.IsOfCells ? vtkDataObject::CELL : vtkDataObject::POINT;
+  vtkDataSetAttributes* data = image->GetAttributes(where);
+  vtkAbstractArray* array =
+    choice.Name.empty() ? data->GetScalars() : data->GetAbstractArray(choice.Name.c_str());
+  const std::string elements = choice.IsOfCells ? "cell" : "point";
+  if (!array)
+  {
+    Refuse(choice.Name.empty()
+        ? "The image on the second input has no active " + elements + " scalars"
+        : "The image on the second input has no " + elements + " array \"" + choice.Name + "\"",
+      "a distance or an intensity; choose one of its arrays: " + NamesOfArrays(image));
+  }
+  auto* numbers = vtkDataArray::SafeDownCast(array);
+  if (!numbers || numbers->GetNumberOfComponents() != 1)
+  {
+    const std::string name = array->GetName() ? array->GetName() : "";
+    Refuse("The " + elements + " array \"" + name + "\" of the image has " +
+        (numbers ? std::to_string(numbers->GetNumberOfComponents()) + " components"
+                 : std::string("values that are no numbers")),
+      "one number for each " + elements +
+        "; choose another array, or make a magnitude or a component of it with Calculator");
+  }
+  return numbers;
+}
+
+//------------------------------------------------------------------------------
+/// The middles of an image's cells; along an axis of a single sample, that sample.
+void SetToMiddles(vtkImageData* image, vtkImageData* middles)
+{
+  int extent[6];
+  image->GetExtent(extent);
+  double first[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const bool hasCells = extent[2 * axis] < extent[2 * axis + 1];
+    first[axis] = hasCells ? 0.5 : 0.0;
+    extent[2 * axis + 1] -= hasCells ? 1 : 0;
+  }
+  double origin[3];
+  image->TransformContinuousIndexToPhysicalPoint(first[0], first[1], first[2], origin);
+  middles->SetExtent(extent);
+  middles->SetOrigin(origin);
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+ImageArray::ImageArray(vtkAlgorithm* filter, int port)
+  : Port(port)
+{
+  filter->SetInputArrayToProcess(
+    0, port, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+//------------------------------------------------------------------------------
+ImageArray::~ImageArray() = default;
+
+//------------------------------------------------------------------------------
+vtkImageData* ImageArray::Get(vtkAlgorithm* filter, vtkInformationVector** inputVector)
+{
+  vtkImageData* image = vtkImageData::GetData(inputVector[this->Port]);
+  if (!image)
+  {
+    return nullptr;
+  }
+  const Choice choice = ChoiceOf(filter->GetInputArrayInformation(0), this->Port);
+  vtkDataArray* array = Find(image, choice);
+  if (!this->Samples || image != this->LastImage || image->GetMTime() != this->LastTime ||
+    array != this->LastArray)
+  {
+    this->Samples = vtkSmartPointer<vtkImageData>::New();
+    this->Samples->CopyStructure(image);
+    if (choice.IsOfCells)
+    {
+      SetToMiddles(image, this->Samples);
+    }
+    this->Samples->GetPointData()->SetScalars(array);
+    this->LastImage = image;
+    this->LastTime = image->GetMTime();
+    this->LastArray = array;
+  }
+  return this->Samples;
+}
