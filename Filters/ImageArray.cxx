@@ -48,18 +48,22 @@ std::string NamesOfArrays(vtkImageData* image)
 //------------------------------------------------------------------------------
 struct Choice
 {
-  std::string Name; ///< empty: the active scalars
+  std::string Name; ///< empty: the active array of that role
+  int Role = vtkDataSetAttributes::SCALARS;
   bool IsOfCells = false;
 };
 
 //------------------------------------------------------------------------------
-/// ParaView sends an empty name where there was nothing to choose from.
-Choice ChoiceOf(vtkInformation* chosen, int port)
+vtkAbstractArray* FindIn(vtkDataSetAttributes* data, const Choice& choice)
 {
-  if (!chosen)
-  {
-    return {};
-  }
+  return choice.Name.empty() ? data->GetAbstractAttribute(choice.Role)
+                             : data->GetAbstractArray(choice.Name.c_str());
+}
+
+//------------------------------------------------------------------------------
+/// ParaView sends an empty name where there was nothing to choose from.
+Choice ChoiceOf(vtkInformation* chosen, int port, vtkImageData* image)
+{
   if (chosen->Get(vtkAlgorithm::INPUT_PORT()) != port)
   {
     Refuse("The array to process was chosen of input port " +
@@ -68,21 +72,27 @@ Choice ChoiceOf(vtkInformation* chosen, int port)
   }
   const int where = chosen->Get(vtkDataObject::FIELD_ASSOCIATION());
   const char* name = chosen->Get(vtkDataObject::FIELD_NAME());
-  return { name ? name : "", where == vtkDataObject::FIELD_ASSOCIATION_CELLS };
+  const auto role = vtkDataObject::FIELD_ATTRIBUTE_TYPE();
+  const bool isEither = where == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
+  Choice choice;
+  choice.Name = name ? name : "";
+  choice.Role = chosen->Has(role) ? chosen->Get(role) : choice.Role;
+  choice.IsOfCells = where == vtkDataObject::FIELD_ASSOCIATION_CELLS ||
+    (isEither && !FindIn(image->GetPointData(), choice));
+  return choice;
 }
 
 //------------------------------------------------------------------------------
 vtkDataArray* Find(vtkImageData* image, const Choice& choice)
 {
   const int where = choice.IsOfCells ? vtkDataObject::CELL : vtkDataObject::POINT;
-  vtkDataSetAttributes* data = image->GetAttributes(where);
-  vtkAbstractArray* array =
-    choice.Name.empty() ? data->GetScalars() : data->GetAbstractArray(choice.Name.c_str());
+  vtkAbstractArray* array = FindIn(image->GetAttributes(where), choice);
   const std::string elements = choice.IsOfCells ? "cell" : "point";
   if (!array)
   {
     Refuse(choice.Name.empty()
-        ? "The image on the second input has no active " + elements + " scalars"
+        ? "The image on the second input has no active " + elements + " " +
+          vtkDataSetAttributes::GetAttributeTypeAsString(choice.Role)
         : "The image on the second input has no " + elements + " array \"" + choice.Name + "\"",
       "a distance or an intensity; choose one of its arrays: " + NamesOfArrays(image));
   }
@@ -139,7 +149,7 @@ vtkImageData* ImageArray::Get(vtkAlgorithm* filter, vtkInformationVector** input
   {
     return nullptr;
   }
-  const Choice choice = ChoiceOf(filter->GetInputArrayInformation(0), this->Port);
+  const Choice choice = ChoiceOf(filter->GetInputArrayInformation(0), this->Port, image);
   vtkDataArray* array = Find(image, choice);
   if (!this->Samples || image != this->LastImage || image->GetMTime() != this->LastTime ||
     array != this->LastArray)

@@ -98,7 +98,9 @@ TEST(FieldArray, IsTheActiveScalarsUnlessAnotherIsChosen)
   EXPECT_NEAR(RadiusOf(filter), 0.8, 0.015);
   filter->SetInputArrayToProcess(0, 1, 0, OfPoints, ""); // as ParaView says when there is no choice
   EXPECT_NEAR(RadiusOf(filter), 1.0, 0.015);
-  filter->SetInputArrayToProcess(0, 1, 0, OfPoints, "Smaller");
+  filter->SetInputArrayToProcess(
+    0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, "Smallest");
+  EXPECT_NEAR(RadiusOf(filter), 0.6, 0.015);
   filter->SetInputArrayToProcess(0, 1, 0, OfPoints, vtkDataSetAttributes::SCALARS);
   EXPECT_NEAR(RadiusOf(filter), 1.0, 0.015);
 }
@@ -170,7 +172,7 @@ TEST(FieldArray, WhatCannotBeAFieldIsRefusedByName)
   ExpectRefusedChoice(image, 1, OfPoints, "Names", "no numbers");
   ExpectRefusedChoice(image, 0, OfPoints, "Smaller", "port 0");
   image->GetPointData()->SetActiveScalars(nullptr);
-  ExpectRefusedChoice(image, 1, OfPoints, "", "no active point scalars");
+  ExpectRefusedChoice(image, 1, OfPoints, "", "no active point Scalars");
 }
 
 //------------------------------------------------------------------------------

@@ -241,6 +241,68 @@ class BunnyPipeline(unittest.TestCase):
         self.assertGreater(data(boxes).GetNumberOfCells(), leaves.GetNumberOfCells())
 
 
+class FieldArrays(unittest.TestCase):
+    """Which array of the image is the field, as panel and scripts choose it."""
+
+    @classmethod
+    def setUpClass(cls):
+        sphere = pv.Icosphere(Level=3)
+        sdf = pv.MeshSDF(Input=sphere, SampleDimensions=[32, 32, 32], Padding=0.3)
+        cls.image = pv.Calculator(Input=sdf, Function="SignedDistance + 0.2",
+                                  ResultArrayName="Inside")
+        cls.cells = pv.PointDatatoCellData(Input=cls.image, PassPointData=0)
+        for proxy in (cls.image, cls.cells):
+            proxy.UpdatePipeline()  # as Apply does: panels offer what is there
+        cls.start = pv.Icosphere(Level=3, Radius=1.4)
+
+    def radius(self, **settings):
+        self.evolution = pv.SurfaceEvolution(Input=self.start, Remeshing="Off", **settings)
+        return radii(data(self.evolution)).mean()
+
+    def test_by_default_it_is_the_active_array(self):
+        self.assertAlmostEqual(self.radius(DistanceField=self.image), 0.8, delta=0.02)
+        self.assertEqual(self.evolution.FieldArray[:], ["POINTS", "Inside"])
+
+    def test_another_one_is_chosen(self):
+        radius = self.radius(DistanceField=self.image, FieldArray=["POINTS", "SignedDistance"])
+        self.assertAlmostEqual(radius, 1.0, delta=0.02)
+
+    def test_arrays_of_cells_are_offered(self):
+        radius = self.radius(DistanceField=self.cells, FieldArray=["CELLS", "SignedDistance"])
+        self.assertAlmostEqual(radius, 1.0, delta=0.02)
+
+    def test_a_field_that_comes_later_has_its_active_array(self):
+        evolution = pv.SurfaceEvolution(Input=self.start, Remeshing="Off")
+        evolution.DistanceField = self.image
+        self.assertAlmostEqual(radii(data(evolution)).mean(), 0.8, delta=0.02)
+
+
+class InputTimes(unittest.TestCase):
+    """A series as input: an evolution of a sphere."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.series = pv.SurfaceEvolution(Input=pv.Icosphere(Level=2), NumberOfSteps=4,
+                                         TimeStep=0.04, CurvatureSpeed=1.0, RelativeUnits=0)
+
+    def test_a_wrap_follows_it(self):
+        wrap = pv.ShrinkWrap(Input=self.series, SampleDimensions=[24, 24, 24],
+                             TargetEdgeLength=0.2)
+        self.assertEqual(times(wrap), times(self.series))
+        for time in times(wrap)[::2]:
+            radius = radii(data(wrap, time=time)).mean()
+            self.assertAlmostEqual(radius, radii(data(self.series, time=time)).mean(), delta=0.02)
+
+    def test_an_evolution_takes_one_of_its_times(self):
+        for settings, time in (({}, 0.16), ({"InputTime": "First Step"}, 0.0),
+                               ({"InputTime": "Step Index", "InputTimeIndex": 1}, 0.04)):
+            evolution = pv.SurfaceEvolution(Input=self.series, NumberOfSteps=2, **settings)
+            start = data(evolution, time=0.0)
+            self.assertAlmostEqual(field(start, "InputTime"), time)
+            expected = radii(data(self.series, time=time)).mean()
+            self.assertAlmostEqual(radii(start).mean(), expected, places=6)
+
+
 class Files(unittest.TestCase):
     def test_series_reads_back(self):
         evolution = pv.SurfaceEvolution(Input=pv.Icosphere(Level=2), NumberOfSteps=6, TimeStep=0.01,

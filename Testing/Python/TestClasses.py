@@ -24,13 +24,14 @@ CONSTANTS = {
         "WEIGHTING_NONE": 0, "INVERSE_AREA": 1, "DISTANCE": 2,
         "CONTROL_NONE": 0, "CUBE_ROOT": 1, "TWO_THIRDS": 2, "EXPONENTIAL": 3,
         "FIXED": 0, "SLIDE_ALONG": 1, "FREE": 2, "OFF": 0, "UNIFORM": 1, "CURVATURE_ADAPTIVE": 2,
-        "AUTOMATIC": 3},
+        "AUTOMATIC": 3, "FIRST_STEP": 0, "LAST_STEP": 1, "STEP_INDEX": 2},
     "vtkTangentialRedistribution": {
         "WEIGHTED_EDGES": 0, "SHAPE": 1,
         "WEIGHTING_NONE": 0, "INVERSE_AREA": 1,
         "CONTROL_NONE": 0, "CUBE_ROOT": 1, "TWO_THIRDS": 2, "EXPONENTIAL": 3,
         "FIXED": 0, "SLIDE_ALONG": 1, "FREE": 2},
-    "vtkShrinkWrap": {"ISOSURFACE": 0, "ICOSPHERE": 1, "OFF": 0, "ON": 1, "AUTOMATIC": 2},
+    "vtkShrinkWrap": {"ISOSURFACE": 0, "ICOSPHERE": 1, "OFF": 0, "ON": 1, "AUTOMATIC": 2,
+                      "FIRST_STEP": 0, "LAST_STEP": 1, "STEP_INDEX": 2},
     "vtkIcosphereSource": {"ICOSPHERE": 0, "CUBE_SPHERE": 1, "BOX": 2},
     "vtkDistanceHierarchy": {"AABB_TREE": 0, "OCTREE": 1},
 }
