@@ -14,12 +14,14 @@
 #include "vtkInformationVector.h"
 #include "vtkPointData.h"
 
-#include <algorithm>
+#include <cstring>
 #include <sstream>
 #include <string>
 
 namespace
 {
+
+constexpr const char* ActiveScalars = "Active Scalars"; ///< in ParaView's panel
 
 //------------------------------------------------------------------------------
 /// "a", "b" of the points and "c" of the cells.
@@ -61,7 +63,6 @@ vtkAbstractArray* FindIn(vtkDataSetAttributes* data, const Choice& choice)
 }
 
 //------------------------------------------------------------------------------
-/// ParaView sends an empty name where there was nothing to choose from.
 Choice ChoiceOf(vtkInformation* chosen, int port, vtkImageData* image)
 {
   if (chosen->Get(vtkAlgorithm::INPUT_PORT()) != port)
@@ -73,12 +74,13 @@ Choice ChoiceOf(vtkInformation* chosen, int port, vtkImageData* image)
   const int where = chosen->Get(vtkDataObject::FIELD_ASSOCIATION());
   const char* name = chosen->Get(vtkDataObject::FIELD_NAME());
   const auto role = vtkDataObject::FIELD_ATTRIBUTE_TYPE();
-  const bool isEither = where == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
   Choice choice;
-  choice.Name = name ? name : "";
+  choice.Name = name && std::strcmp(name, ActiveScalars) != 0 ? name : "";
   choice.Role = chosen->Has(role) ? chosen->Get(role) : choice.Role;
+  const bool isEither =
+    choice.Name.empty() || where == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
   choice.IsOfCells = where == vtkDataObject::FIELD_ASSOCIATION_CELLS ||
-    (isEither && !FindIn(image->GetPointData(), choice));
+    (isEither && !FindIn(image->GetPointData(), choice) && FindIn(image->GetCellData(), choice));
   return choice;
 }
 
@@ -91,7 +93,7 @@ vtkDataArray* Find(vtkImageData* image, const Choice& choice)
   if (!array)
   {
     Refuse(choice.Name.empty()
-        ? "The image on the second input has no active " + elements + " " +
+        ? std::string("The image on the second input has no active ") +
           vtkDataSetAttributes::GetAttributeTypeAsString(choice.Role)
         : "The image on the second input has no " + elements + " array \"" + choice.Name + "\"",
       "a distance or an intensity; choose one of its arrays: " + NamesOfArrays(image));

@@ -20,7 +20,8 @@ class vtkInformationVector;
 
 /**
  * The array that SetInputArrayToProcess(0, ...) of a filter chooses, of the points or cells of the
- * image on one of its ports; by default the active point scalars.
+ * image on one of its ports; by default the active scalars, of the points or else of the cells, and
+ * so with no name or, as panels say it, "Active Scalars".
  */
 class ImageArray
 {

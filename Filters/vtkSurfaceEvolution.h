@@ -15,7 +15,7 @@
  * Input 0 is the start surface: triangles, quads or polygons, oriented and 2-manifold, closed or
  * with boundary; coincident points are joined first, and a closed surface that is inside out, as
  * contour filters make it of a signed distance, is turned. Input 1, optional, is a vtkImageData
- * whose active point scalars are the field: a signed distance (negative inside, as vtkMeshSDF makes
+ * whose active scalars are the field: a signed distance (negative inside, as vtkMeshSDF makes
  * it), or an image to segment (`FieldMode`); its direction matrix may turn or mirror it. Another
  * array, of the points or the cells, is chosen by SetInputArrayToProcess(0, 1, 0, association,
  * name); it must have one number for each, and cells count as samples at their middles. Without it

@@ -96,7 +96,7 @@ TEST(FieldArray, IsTheActiveScalarsUnlessAnotherIsChosen)
   EXPECT_NEAR(RadiusOf(filter), 1.0, 0.015);
   filter->SetInputArrayToProcess(0, 1, 0, OfPoints, "Smaller");
   EXPECT_NEAR(RadiusOf(filter), 0.8, 0.015);
-  filter->SetInputArrayToProcess(0, 1, 0, OfPoints, ""); // as ParaView says when there is no choice
+  filter->SetInputArrayToProcess(0, 1, 0, OfPoints, "Active Scalars"); // as ParaView says it
   EXPECT_NEAR(RadiusOf(filter), 1.0, 0.015);
   filter->SetInputArrayToProcess(
     0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, "Smallest");
@@ -136,6 +136,11 @@ TEST(FieldArray, CellsAreSamplesAtTheirMiddles)
   SetUpOnto(filter, image);
   filter->SetInputArrayToProcess(0, 1, 0, OfCells, "Smallest");
   EXPECT_NEAR(RadiusOf(filter), 0.6, 0.015);
+  filter->SetInputArrayToProcess(0, 1, 0, OfPoints, "Active Scalars");
+  image->GetCellData()->SetActiveScalars("Smallest");
+  EXPECT_NEAR(RadiusOf(filter), 1.0, 0.015); // points come first
+  image->GetPointData()->SetActiveScalars(nullptr);
+  EXPECT_NEAR(RadiusOf(filter), 0.6, 0.015);
   image->SetDirectionMatrix(0, -1, 0, 1, 0, 0, 0, 0, 1);
   image->SetOrigin(2.0, -2.0, -2.0); // turned about it, the samples are where they were
   EXPECT_NEAR(RadiusOf(filter), 0.6, 0.015);
@@ -172,7 +177,7 @@ TEST(FieldArray, WhatCannotBeAFieldIsRefusedByName)
   ExpectRefusedChoice(image, 1, OfPoints, "Names", "no numbers");
   ExpectRefusedChoice(image, 0, OfPoints, "Smaller", "port 0");
   image->GetPointData()->SetActiveScalars(nullptr);
-  ExpectRefusedChoice(image, 1, OfPoints, "", "no active point Scalars");
+  ExpectRefusedChoice(image, 1, OfPoints, "", "no active Scalars");
 }
 
 //------------------------------------------------------------------------------

@@ -133,16 +133,17 @@ void ExpectSentence(vtkSurfaceEvolution* filter, vtkImageData* image, const char
 }
 
 //------------------------------------------------------------------------------
-TEST(FieldImage, CellDataIsRefusedWithTheWayOut)
+TEST(FieldImage, ArraysThatAreNotActiveAreRefusedWithTheirNames)
 {
   const Image image = Sample::SphereImage(9, 2.0, 1.0);
   vtkNew<vtkDoubleArray> cells;
+  cells->SetName("Cells");
   cells->SetNumberOfTuples(image->GetNumberOfCells());
   cells->Fill(1.0);
   image->GetPointData()->Initialize();
-  image->GetCellData()->SetScalars(cells);
+  image->GetCellData()->AddArray(cells);
   vtkNew<vtkSurfaceEvolution> filter;
-  ExpectSentence(filter, image, "Cell Data to Point Data");
+  ExpectSentence(filter, image, "choose one of its arrays: \"Cells\" (cells)");
   EXPECT_TRUE(IsInitialized(filter->GetOutput()));
 }
 
