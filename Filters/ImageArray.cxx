@@ -14,14 +14,11 @@
 #include "vtkInformationVector.h"
 #include "vtkPointData.h"
 
-#include <cstring>
 #include <sstream>
 #include <string>
 
 namespace
 {
-
-constexpr const char* ActiveScalars = "Active Scalars"; ///< in ParaView's panel
 
 //------------------------------------------------------------------------------
 /// "a", "b" of the points and "c" of the cells.
@@ -75,7 +72,7 @@ Choice ChoiceOf(vtkInformation* chosen, int port, vtkImageData* image)
   const char* name = chosen->Get(vtkDataObject::FIELD_NAME());
   const auto role = vtkDataObject::FIELD_ATTRIBUTE_TYPE();
   Choice choice;
-  choice.Name = name && std::strcmp(name, ActiveScalars) != 0 ? name : "";
+  choice.Name = name ? name : ""; // ParaView sends an empty one where nothing was chosen
   choice.Role = chosen->Has(role) ? chosen->Get(role) : choice.Role;
   const bool isEither =
     choice.Name.empty() || where == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;

@@ -21,7 +21,7 @@ class vtkInformationVector;
 /**
  * The array that SetInputArrayToProcess(0, ...) of a filter chooses, of the points or cells of the
  * image on one of its ports; by default the active scalars, of the points or else of the cells, and
- * so with no name or, as panels say it, "Active Scalars".
+ * so with no name.
  */
 class ImageArray
 {

@@ -71,21 +71,6 @@ Image WithFlatCells()
   return image;
 }
 
-//------------------------------------------------------------------------------
-Image WithMoreComponents()
-{
-  const Image image = Sample::SphereImage(25, 180.0, 100.0);
-  vtkDataArray* distances = image->GetPointData()->GetScalars();
-  vtkNew<vtkDoubleArray> vectors;
-  vectors->SetNumberOfComponents(3);
-  for (vtkIdType i = 0; i < distances->GetNumberOfTuples(); ++i)
-  {
-    vectors->InsertNextTuple3(distances->GetTuple1(i), -7.0, 1e9);
-  }
-  image->GetPointData()->SetScalars(vectors);
-  return image;
-}
-
 struct ImageCase
 {
   const char* Name;
@@ -115,8 +100,7 @@ INSTANTIATE_TEST_SUITE_P(All, FieldImages,
   testing::Values(ImageCase{ "Double", []() { return OfType(VTK_DOUBLE); }, 2.0 },
     ImageCase{ "Short", []() { return OfType(VTK_SHORT); }, 2.0 },
     ImageCase{ "SignedChar", []() { return OfType(VTK_SIGNED_CHAR); }, 2.5 },
-    ImageCase{ "OtherNumbers", Renumbered, 2.0 }, ImageCase{ "FlatCells", WithFlatCells, 2.0 },
-    ImageCase{ "ThreeComponents", WithMoreComponents, 2.0 }),
+    ImageCase{ "OtherNumbers", Renumbered, 2.0 }, ImageCase{ "FlatCells", WithFlatCells, 2.0 }),
   [](const testing::TestParamInfo<ImageCase>& info) { return info.param.Name; });
 
 //------------------------------------------------------------------------------

@@ -267,10 +267,6 @@ class FieldArrays(unittest.TestCase):
         radius = self.radius(DistanceField=self.image, FieldArray=["POINTS", "SignedDistance"])
         self.assertAlmostEqual(radius, 1.0, delta=0.02)
 
-    def test_active_scalars_by_that_name(self):
-        radius = self.radius(DistanceField=self.image, FieldArray=["POINTS", "Active Scalars"])
-        self.assertAlmostEqual(radius, 0.8, delta=0.02)
-
     def test_arrays_of_cells_are_offered(self):
         radius = self.radius(DistanceField=self.cells, FieldArray=["CELLS", "SignedDistance"])
         self.assertAlmostEqual(radius, 1.0, delta=0.02)
