@@ -4,10 +4,10 @@
 #include "Remeshing/PeakFit.h"
 
 #include "ParallelLoops.h"
-#include "Trees/Barycentric.h"
 #include "Remeshing/FaceGroup.h"
 #include "Remeshing/OrderedTasks.h"
 #include "Remeshing/SurfaceFit.h"
+#include "Trees/Barycentric.h"
 #include "Trees/TriangleGeometry.h"
 
 #include <algorithm>

@@ -5,9 +5,9 @@
 
 #include "Algebra/ConjugateGradients.h"
 #include "ParallelLoops.h"
-#include "Trees/Barycentric.h"
 #include "Remeshing/InversionFreeMove.h"
 #include "Trees/AABBTree.h"
+#include "Trees/Barycentric.h"
 
 #include <algorithm>
 #include <limits>

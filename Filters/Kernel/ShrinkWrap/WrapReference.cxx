@@ -4,10 +4,10 @@
 #include "ShrinkWrap/WrapReference.h"
 
 #include "ParallelLoops.h"
-#include "Trees/Barycentric.h"
 #include "ShrinkWrap/ClosedParts.h"
 #include "ShrinkWrap/SurfaceReport.h"
 #include "ShrinkWrap/TrianglePlaces.h"
+#include "Trees/Barycentric.h"
 #include "Trees/TriangleGeometry.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 
 #include "Remeshing/FaceShape.h"
 
-#include "Trees/Barycentric.h"
 #include "Shapes/MeshVariants.h"
+#include "Trees/Barycentric.h"
 
 #include <gtest/gtest.h>
 

@@ -3,12 +3,12 @@
 
 #include "Remeshing/TargetSamples.h"
 
-#include "Trees/Barycentric.h"
 #include "Remeshing/RemeshingShapes.h"
 #include "Shapes/Sheets.h"
 #include "Shapes/Spheres.h"
 #include "StartSurface/PrimitiveSurfaces.h"
 #include "Trees/AABBTree.h"
+#include "Trees/Barycentric.h"
 #include "Trees/TriangleGeometry.h"
 
 #include <gtest/gtest.h>
