@@ -137,10 +137,14 @@ CutTriangles assembled(
 
 } // namespace
 
-std::optional<CutTriangles> cutCrossings(
-  const SurfaceMesh& mesh, const std::vector<IndexPair>& pairs, const Execution& execution)
+std::optional<CutTriangles> cutCrossings(const SurfaceMesh& mesh,
+  const std::vector<IndexPair>& pairs, const Execution& execution, bool* areTooMany)
 {
   const CrossingLines lines(mesh, pairs, execution.phase(0.0, 0.5));
+  if (areTooMany != nullptr)
+  {
+    *areTooMany = lines.areTooMany();
+  }
   if (lines.pointCount() == mesh.vertexCount() || lines.areTooMany())
   {
     return std::nullopt;

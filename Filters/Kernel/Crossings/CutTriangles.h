@@ -33,11 +33,12 @@ struct CutTriangles
  * would make cross once more.
  * @param mesh triangles, welded
  * @param pairs of triangles that may cross, sorted: selfIntersections()
- * @return none where no two cross, or so many that it would take minutes
+ * @param[out] areTooMany do so many cross that it would take minutes? May be null
+ * @return none where no two cross, or too many
  * @throws Cancelled
  */
-std::optional<CutTriangles> cutCrossings(
-  const SurfaceMesh& mesh, const std::vector<IndexPair>& pairs, const Execution& execution = {});
+std::optional<CutTriangles> cutCrossings(const SurfaceMesh& mesh,
+  const std::vector<IndexPair>& pairs, const Execution& execution = {}, bool* areTooMany = nullptr);
 
 } // namespace evolving
 

@@ -65,8 +65,13 @@ SurfaceMesh withoutCovered(const SurfaceMesh& whole, const SurfaceParts& parts,
 
 } // namespace
 
-std::optional<SurfaceMesh> outerSurface(const SurfaceMesh& surface, const Execution& execution)
+std::optional<SurfaceMesh> outerSurface(
+  const SurfaceMesh& surface, const Execution& execution, bool* isTangled)
 {
+  if (isTangled != nullptr)
+  {
+    *isTangled = false;
+  }
   SurfaceMesh whole = separateSolids(surface);
   const std::vector<IndexPair> meeting =
     selfIntersections(triangleView(whole), execution.phase(0.0, 0.2));
@@ -82,7 +87,7 @@ std::optional<SurfaceMesh> outerSurface(const SurfaceMesh& surface, const Execut
   const std::vector<IndexPair> crossing =
     haveGrown ? selfIntersections(triangleView(whole), execution.phase(0.2, 0.4)) : meeting;
   const std::optional<CutTriangles> cut =
-    cutCrossings(whole, worthCutting(parts, crossing), execution.phase(0.4, 0.7));
+    cutCrossings(whole, worthCutting(parts, crossing), execution.phase(0.4, 0.7), isTangled);
   if (!cut)
   {
     return std::nullopt;

@@ -23,11 +23,12 @@ namespace evolving
  * many others, are not cut by each other. Parts that meet are moved by less than a
  * millionth of the diagonal, so that contacts are crossings (GrownParts.h).
  * @param surface triangles, welded
- * @return none where nothing crosses, or so much that it would take minutes to cut
+ * @param[out] isTangled does so much cross that it would take minutes to cut? May be null
+ * @return none where nothing crosses, or too much; what only touches itself does not
  * @throws InputError when a coordinate is not finite. @throws Cancelled
  */
 std::optional<SurfaceMesh> outerSurface(
-  const SurfaceMesh& surface, const Execution& execution = {});
+  const SurfaceMesh& surface, const Execution& execution = {}, bool* isTangled = nullptr);
 
 } // namespace evolving
 

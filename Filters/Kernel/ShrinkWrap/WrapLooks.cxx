@@ -94,7 +94,7 @@ private:
   {
     const SurfaceMesh welded =
       weldSeams(weldCoincidentPoints(this->Model), roundingOf(this->Model));
-    std::optional<SurfaceMesh> united = outerSurface(welded, now);
+    std::optional<SurfaceMesh> united = outerSurface(welded, now, &this->IsTangled);
     this->IsUnited = united.has_value();
     if (united)
     {
@@ -132,13 +132,13 @@ private:
     {
       this->Seen.wantedGenus = genusToKeep(this->Seen.view->target()->surface, this->Options, now);
     }
-    const bool isClean = this->Seen.wantedGenus.has_value() ||
-      (this->IsUnited && summarizeTopology(this->Model).isClosed());
-    return neededResolution(this->Options, *this->Seen.view, now, isClean);
+    const bool isClosed = summarizeTopology(this->Seen.view->target()->surface).isClosed();
+    return neededResolution(this->Options, *this->Seen.view, now, isClosed && !this->IsTangled);
   }
 
   SurfaceMesh Model;
   bool IsUnited = false;
+  bool IsTangled = false; ///< parts run through each other and could not be united
   const ShrinkWrapOptions& Options;
   const WrapTuning& Tuning;
   const Execution& Run;

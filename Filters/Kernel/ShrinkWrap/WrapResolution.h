@@ -38,8 +38,8 @@ GridIndex mostSamples(const ShrinkWrapOptions& options);
  * and in any case cells small enough to find holes and gaps of their size, 32 million of them at
  * most.
  * @param view by firstResolution()
- * @param isClean is the target one closed surface that does not meet itself? Then what the first
- *   look cannot see is behind holes too narrow for it, and not inside another part.
+ * @param isClean is the target closed, and does nothing of it run through anything? Then what the
+ *   first look cannot see is behind holes and gaps too narrow for it, and not inside another part.
  * @return nothing where the first look was fine enough
  * @throws Cancelled
  */

@@ -116,10 +116,39 @@ SurfaceMesh outer(const SurfaceMesh& mesh)
 
 TEST(OuterSurface, IsNoneWhereNothingCrosses)
 {
-  EXPECT_FALSE(outerSurface(icosphere(2)));
+  bool isTangled = true;
+  EXPECT_FALSE(outerSurface(icosphere(2), {}, &isTangled));
+  EXPECT_FALSE(isTangled);
   const SurfaceMesh apart =
     shapes::merged(shapes::box(Vec3::Zero(), Vec3::Ones()), shapes::box({ 2, 0, 0 }, { 3, 1, 1 }));
   EXPECT_FALSE(outerSurface(apart));
+}
+
+TEST(OuterSurface, IsNoneOfATangle)
+{
+  // 71 x 71 needles through one triangle of a plate: more pairs of lines than can be looked at.
+  constexpr int Side = 71;
+  const Eigen::Matrix3d slim = Vec3(0.1, 0.1, 3.0).asDiagonal();
+  const SurfaceMesh needle = shapes::mapped(shapes::cornerTetrahedron(), slim);
+  SurfaceMesh needles;
+  for (int k = 0; k < Side * Side; ++k)
+  {
+    const Vec3 place(k % Side + 0.3, k / Side + 0.4, -1.0);
+    for (const Vec3& point : needle.points)
+    {
+      needles.addPoint(point + place);
+    }
+    const Index first = needles.vertexCount() - needle.vertexCount();
+    for (Index f = 0; f < needle.faceCount(); ++f)
+    {
+      needles.addFace({ first + needle.faceVertex(f, 0), first + needle.faceVertex(f, 1),
+        first + needle.faceVertex(f, 2) });
+    }
+  }
+  const SurfaceMesh plate = shapes::box({ -200, -200, -0.5 }, { 200, 200, 0.5 });
+  bool isTangled = false;
+  EXPECT_FALSE(outerSurface(shapes::merged(needles, plate), {}, &isTangled));
+  EXPECT_TRUE(isTangled);
 }
 
 TEST(OuterSurface, OfTwoBoxesIsTheirUnion)

@@ -7,6 +7,7 @@
 #include "Shapes/MeshVariants.h"
 #include "Shapes/Polyhedra.h"
 #include "Shapes/Sheets.h"
+#include "ShrinkWrap/WrapLooks.h"
 #include "ShrinkWrap/WrapRuns.h"
 #include "StartSurface/PrimitiveSurfaces.h"
 
@@ -196,4 +197,17 @@ TEST(WrapResolution, KeepsHolesNarrowerThanTheDefaultGridSees)
   ShrinkWrapOptions options;
   options.targetNumberOfPoints = 3000;
   wraps::expectSound(wraps::wrap(plate, options), 12, 1, 20.0);
+}
+
+TEST(WrapResolution, FollowsCreasesOfPartsWithNarrowGaps)
+{
+  // Two plates so near that the first look sees one: sides of both are hidden, but cross nothing.
+  const SurfaceMesh lower = shapes::triangleBox(8, Vec3(1, 1, 0.1));
+  const SurfaceMesh upper = shapes::transformed(lower, 1.0, Vec3(0, 0, 0.202));
+  ShrinkWrapOptions options;
+  options.targetNumberOfPoints = 600;
+  const SeenTarget seen = lookAsNeeded(shapes::merged(lower, upper), options, {}, {});
+  const WrapTarget& target = *seen.view->target();
+  ASSERT_TRUE(target.besideCreases);
+  EXPECT_LT(target.shortestEdge(), 0.9 * target.edgeLength);
 }
