@@ -133,6 +133,10 @@ void EvolutionOutput::WriteState(std::size_t i, vtkPolyData* output,
   {
     KernelBridge::AddFieldValue(output, "Stopped", this->Series.lastIteration());
   }
+  if (const int steps = this->Series.stepsWithoutRedistribution())
+  {
+    KernelBridge::AddFieldValue(output, "StepsWithoutRedistribution", steps);
+  }
   if (const auto& time = this->Series.extinctionTime())
   {
     KernelBridge::AddFieldValue(output, "ExtinctionTime", *time);

@@ -82,6 +82,8 @@ evolving::FlowOptions vtkSurfaceEvolution::Options() const
   evolving::FlowOptions options;
   options.timeStep = this->TimeStep;
   options.numberOfSteps = this->NumberOfSteps;
+  options.flow = static_cast<evolving::Flow>(this->Flow);
+  options.volumePreserving = this->VolumePreserving;
   options.curvatureSpeed = this->CurvatureSpeed;
   options.curvatureRange = this->CurvatureRange;
   options.advectionSpeed = this->AdvectionSpeed;
@@ -271,15 +273,25 @@ std::unique_ptr<EvolutionOutput> vtkSurfaceEvolution::Solve(vtkPolyData* input, 
   }
   const std::size_t imageBytes = image ? image->values().size() * sizeof(float) : 0;
   ++this->NumberOfSolves;
+  // Volumes that are held to 1e-12 are not to be rounded away.
+  const int pointType = options.holdsVolume() ? VTK_DOUBLE : KernelBridge::PointType(input);
   auto series = std::make_unique<EvolutionOutput>(
-    KernelBridge::PointType(input), image != nullptr,
+    pointType, image != nullptr,
     [start, image, remesher, options](const evolving::Execution& host)
     { return evolving::SurfaceFlow(start, image, remesher, options, host); },
     evolving::publishedIterations(this->NumberOfSteps, this->SmoothingSteps, this->OutputInterval),
     Bytes(this->CacheLimit), execution, imageBytes);
-  if (series->PointType() != KernelBridge::PointType(input))
+  if (series->PointType() != pointType)
   {
     KernelBridge::WarnOfDoubles(this);
+  }
+  if (const int steps = series->Flow().stepsWithoutRedistribution())
+  {
+    vtkWarningMacro(
+      "The volume-based redistribution has no potential on degenerate elements, as at a "
+      "neck that pinches off: "
+      << steps << " of " << series->Flow().lastIteration()
+      << " steps went without it, expected none; switch Remeshing on.");
   }
   if (!series->Flow().stopReason().empty())
   {
@@ -295,6 +307,8 @@ void vtkSurfaceEvolution::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TimeStep: " << this->TimeStep << "\n";
   os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
   os << indent << "OutputInterval: " << this->OutputInterval << "\n";
+  os << indent << "Flow: " << this->Flow << "\n";
+  os << indent << "VolumePreserving: " << this->VolumePreserving << "\n";
   os << indent << "CurvatureSpeed: " << this->CurvatureSpeed << "\n";
   os << indent << "CurvatureRange: " << this->CurvatureRange << "\n";
   os << indent << "AdvectionSpeed: " << this->AdvectionSpeed << "\n";

@@ -11,6 +11,8 @@
  *
  * with mean curvature flow (epsilon), advection along a signed distance field (eta) and
  * tangential redistribution of the points (v_T); finite volumes in space, semi-implicit in time.
+ * Without a field the flow may also hold the volume (`VolumePreserving`), or be surface diffusion
+ * (`Flow`).
  *
  * Input 0 is the start surface: triangles, quads or polygons, oriented and 2-manifold, closed or
  * with boundary; coincident points are joined first, and a closed surface that is inside out, as
@@ -29,7 +31,9 @@
  * field), Normals, MeanCurvature, CoVolume, NormalVelocity, TangentialVelocity,
  * RedistributionPotential; at the boundary MeanCurvature contains the pull along the surface. Field
  * data: Iteration, Time, TimeStep, Area, Volume, MeanDistance, MaxDistance, MinAngle; and, where
- * that happened, Stopped, the step after which the flow could not go on, or ExtinctionTime.
+ * that happened, Stopped, the step after which the flow could not go on, ExtinctionTime, or
+ * StepsWithoutRedistribution, the number of steps in which elements were so degenerate that the
+ * volume-based redistribution could not be computed.
  *
  * Point and cell data of the input go with the points: they are as they are while the elements are
  * the start's (of coincident points those of the first). A point of new elements has the data of
@@ -93,6 +97,13 @@ public:
   static vtkSurfaceEvolution* New();
   vtkTypeMacro(vtkSurfaceEvolution, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Values of Flow.
+  enum
+  {
+    MEAN_CURVATURE = 0,
+    SURFACE_DIFFUSION = 1
+  };
 
   /// Values of FieldMode.
   enum
@@ -158,7 +169,8 @@ public:
    * Length of a time step tau. 0, the default, is an automatic one, with which NumberOfSteps steps
    * lead as far as one wants to see: without a field half of what a sphere-like surface takes to
    * shrink to a point (with a boundary, until the minimal surface is reached), with a distance
-   * field until a thousandth of the distance is left, with an edge detector until the start itself
+   * field until a thousandth of the distance is left, where volumes are held until a thousandth of
+   * what differs from a ball is left, with an edge detector until the start itself
    * would have vanished. The value is in the field data, TimeStep. The range is 0 to 1e12.
    */
   vtkSetClampMacro(TimeStep, double, 0.0, 1e12);
@@ -183,9 +195,37 @@ public:
 
   ///@{
   /**
+   * What moves a surface by its own shape: MEAN_CURVATURE (the default), d_t F = C1 Laplace F,
+   * which shrinks it; or SURFACE_DIFFUSION, d_t F = C1 Laplace_S H N, as atoms on the surface of a
+   * metal do: the area falls, and what goes at one place comes at another, so that each component
+   * keeps its volume and ends as a ball. Without a field and for closed surfaces only.
+   */
+  vtkSetClampMacro(Flow, int, MEAN_CURVATURE, SURFACE_DIFFUSION);
+  vtkGetMacro(Flow, int);
+  void SetFlowToMeanCurvature() { this->SetFlow(MEAN_CURVATURE); }
+  void SetFlowToSurfaceDiffusion() { this->SetFlow(SURFACE_DIFFUSION); }
+  ///@}
+
+  ///@{
+  /**
+   * Volume-preserving mean curvature flow, d_t F = C1 (mean H - H) N: each connected component
+   * keeps its volume, to rounding, by a multiplier that is solved for in every step, and ends as a
+   * ball of that volume; in between it is the smoother that takes nothing away. Remeshing gives
+   * back what it changes. A surface with a boundary keeps the volume between it and where it began,
+   * and its boundary must be FIXED. Without a field only; SURFACE_DIFFUSION does it anyway. Points
+   * are double then, as floats round volumes too. Off by default.
+   */
+  vtkSetMacro(VolumePreserving, bool);
+  vtkGetMacro(VolumePreserving, bool);
+  vtkBooleanMacro(VolumePreserving, bool);
+  ///@}
+
+  ///@{
+  /**
    * C1 of (3.7), the speed of mean curvature flow far from the target, in length^2/time (L^2/time
-   * in relative units); b of the edge detector. Without a field this is epsilon itself. 0 switches
-   * the term off. The default is 0.1, the range 0 and above.
+   * in relative units); b of the edge detector. Without a field this is epsilon itself, and the
+   * speed of SURFACE_DIFFUSION, in length^4/time (L^4/time). 0 switches the term off. The default
+   * is 0.1, the range 0 and above.
    */
   vtkSetClampMacro(CurvatureSpeed, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(CurvatureSpeed, double);
@@ -496,6 +536,8 @@ private:
   double TimeStep = 0.0;
   int NumberOfSteps = 150;
   int OutputInterval = 1;
+  int Flow = MEAN_CURVATURE;
+  bool VolumePreserving = false;
   double CurvatureSpeed = 0.1;
   double CurvatureRange = 0.1;
   double AdvectionSpeed = 1.0;

@@ -33,7 +33,18 @@ OCTREE = {"Structure": es.vtkDistanceHierarchy.OCTREE}
 REMESHED = {"Remeshing": E.UNIFORM, "TargetEdgeLength": 0.2}
 SWEPT = {"Method": S.FAST_SWEEPING}
 SMOOTHED = {"SmoothingSteps": 2}
+FREE = {"InputData": (1, None)}                   # of a field
 BOX = (-1.5, 1.5, -1.5, 1.5, -1.5, 1.5)
+
+
+def closed():
+    """A box, whose edges every flow rounds off."""
+    source = es.vtkIcosphereSource()
+    source.SetShape(es.vtkIcosphereSource.BOX)
+    source.SetResolution(4)
+    source.Update()
+    return source.GetOutput()
+
 
 # Another value, and what must be beside it to count.
 OTHER_VALUES = {
@@ -71,7 +82,8 @@ OTHER_VALUES = {
         "PassPointData": (False, {}), "PassCellData": (False, {})},
     "vtkSurfaceEvolution": {
         "TimeStep": (0.05, {}), "NumberOfSteps": (2, {}), "OutputInterval": (2, {}),
-        "CurvatureSpeed": (0.1, {}), "CurvatureRange": (0.5, {}), "AdvectionSpeed": (0.5, {}),
+        "Flow": (E.SURFACE_DIFFUSION, {**FREE, "InputDataObject": (0, closed())}),
+        "VolumePreserving": (True, FREE), "CurvatureSpeed": (0.1, {}), "CurvatureRange": (0.5, {}), "AdvectionSpeed": (0.5, {}),
         "AdvectionBalance": (0.5, {}), "RelativeUnits": (False, {}),
         "FieldMode": (E.EDGE_DETECTOR, {}),
         "EdgeSharpness": (1.0, {"FieldMode": E.EDGE_DETECTOR}),
@@ -154,10 +166,10 @@ def sphere_image(n=9, size=2.0, radius=1.0):
 def make(name, settings=None):
     """A filter of a class with its inputs, the common settings and others."""
     made = getattr(es, name)()
-    assign(made, COMMON[name])
-    assign(made, settings or {})
     if made.GetNumberOfInputPorts() > 0:
         made.SetInputData(0, cap())
     if made.GetNumberOfInputPorts() > 1:
         made.SetInputData(1, sphere_image())
+    assign(made, COMMON[name])
+    assign(made, settings or {})
     return made

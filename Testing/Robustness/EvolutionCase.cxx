@@ -199,8 +199,19 @@ private:
     filter->SetSmoothingSteps(random.chance(0.2) ? random.integer(1, 6) : 0);
     filter->SetSmoothingSpeed(draw.rate("SmoothingSpeed", 0.8, 1e-4, 0.1));
     filter->SetSmoothingDecay(draw.rate("SmoothingDecay", 0.8, 1e-2, 1.0));
+    this->drawVolumeFlow();
     filter->SetSolverTolerance(
       draw.number("SolverTolerance", random.chance(0.8) ? 1e-10 : random.logarithmic(1e-15, 1e-2)));
+  }
+
+  /// Where nothing else moves the surface; the others are refused.
+  void drawVolumeFlow()
+  {
+    Random& random = this->Parameters.random();
+    const bool isFree =
+      this->Filter->GetNumberOfInputConnections(1) == 0 && this->Input.topology.isClosed();
+    this->Filter->SetFlow(isFree && random.chance(0.25) ? 1 : 0);
+    this->Filter->SetVolumePreserving(isFree && random.chance(0.25));
   }
 
   void drawRedistribution()

@@ -5,6 +5,7 @@
 
 #include "Evolution/CurvatureLife.h"
 #include "ParameterRange.h"
+#include "VolumeFlows/RelaxationTime.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,17 @@ constexpr double DistanceLeft = 1e-3;
 /// As many as the filter makes by default: smoothing steps alone are as long as those of a run.
 constexpr int UsualSteps = 150;
 
+/// By curvature alone, with a speed of 1.
+double timeOfCurvature(const SurfaceMesh& start, const FlowOptions& options)
+{
+  if (options.flow == Flow::SurfaceDiffusion)
+  {
+    return relaxationTimeOfDiffusion(start);
+  }
+  return options.volumePreserving ? relaxationTimeOfCurvatureFlow(start)
+                                  : timeOfVisibleChange(start);
+}
+
 double totalTime(const SurfaceMesh& start, bool hasField, const FlowOptions& options, double size)
 {
   const bool isDistance = hasField && options.fieldMode == FieldMode::DistanceField;
@@ -30,7 +42,7 @@ double totalTime(const SurfaceMesh& start, bool hasField, const FlowOptions& opt
   if (options.curvatureSpeed > 0.0)
   {
     const double lives = hasField && !isDistance ? 2.0 : 1.0;
-    return lives * timeOfVisibleChange(start) / options.curvatureSpeed;
+    return lives * timeOfCurvature(start, options) / options.curvatureSpeed;
   }
   return hasField && options.advectionSpeed > 0.0 ? size * size / options.advectionSpeed : 1.0;
 }

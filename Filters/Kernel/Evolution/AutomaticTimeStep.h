@@ -19,7 +19,7 @@ namespace evolving
  * The step with which options.numberOfSteps steps lead as far as a user wants to see.
  *
  * - Without a field: timeOfVisibleChange() in all, so that the step grows with the square of
- * lengths.
+ * lengths; where the volume is held, until all is balls (RelaxationTime.h), but for a thousandth.
  * - Distance field: the advection leaves exp(-C T) of a distance; a thousandth in all, which no eye
  *   sees.
  * - Edge detector: twice timeOfVisibleChange(), the life of the start, for curvature alone leads a

@@ -4,6 +4,7 @@
 #include "Evolution/EvolvingSurface.h"
 
 #include "Errors.h"
+#include "VolumeFlows/HeldVolumes.h"
 
 #include <optional>
 #include <string>
@@ -131,6 +132,7 @@ bool EvolvingSurface::remesh(bool isLast, const Execution& execution)
   try
   {
     validate(*remeshed);
+    giveBackVolumes(this->Motion->heldVolumes(), *remeshed, execution.phase(0.8, 0.8));
     auto startPoints = this->traceStart(*remeshed, execution.phase(0.8, 0.8));
     this->setElements(
       std::make_shared<const SurfaceMesh>(std::move(*remeshed)), execution.phase(0.8, 0.9));

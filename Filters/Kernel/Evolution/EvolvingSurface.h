@@ -73,6 +73,8 @@ public:
    */
   bool remesh(bool isLast, const Execution& execution);
 
+  /// As SurfacePosition has it.
+  bool isRedistributed() const { return this->Motion->isRedistributed(); }
   /// Since the last reset.
   int solverIterations() const { return this->SolverIterations; }
   void resetSolverIterations() { this->SolverIterations = 0; }

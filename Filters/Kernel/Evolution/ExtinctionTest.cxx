@@ -25,8 +25,9 @@ constexpr double NearlyGone = 1e-3;
 } // namespace
 
 ExtinctionTest::ExtinctionTest(const SurfaceMesh& start, bool hasField, const FlowOptions& options)
-  : IsFree(!hasField)
-  , CurvatureSpeed(!hasField && summarizeTopology(start).isClosed() ? options.curvatureSpeed : 0.0)
+  : IsFree(!hasField && !options.holdsVolume())
+  , CurvatureSpeed(
+      this->IsFree && summarizeTopology(start).isClosed() ? options.curvatureSpeed : 0.0)
   , TimeStep(options.timeStep)
 {
 }

@@ -42,7 +42,7 @@ public:
   bool isNearlyGone(const FlowRecord& record) const;
 
 private:
-  bool IsFree;           ///< of a field: all it does is shrink
+  bool IsFree;           ///< of a field and of held volumes: all it does is shrink
   double CurvatureSpeed; ///< 0: nobody knows
   double TimeStep;
   double StartArea = 0.0;

@@ -41,7 +41,7 @@ FlowOptions inAbsoluteUnits(const FlowOptions& options, double lengthUnit)
   if (options.relativeUnits)
   {
     const double area = lengthUnit * lengthUnit;
-    absolute.curvatureSpeed *= area;
+    absolute.curvatureSpeed *= options.flow == Flow::SurfaceDiffusion ? area * area : area;
     absolute.curvatureRange *= area;
     absolute.smoothingSpeed *= area;
     absolute.redistribution.curvatureControlAlpha *= lengthUnit;

@@ -23,6 +23,13 @@ enum class FieldMode
   EdgeDetector = 1,  ///< an image I, or e itself when edgeSharpness is 0
 };
 
+/// What moves a surface where no field does.
+enum class Flow
+{
+  MeanCurvature = 0,    ///< d_t F = C1 Laplace F
+  SurfaceDiffusion = 1, ///< d_t F = C1 Laplace_S H N, see SurfaceDiffusion; C1 in length^4/time
+};
+
 /// Times beyond it, multiplied by numbers of steps and speeds, would soon be none.
 constexpr double LongestTimeStep = 1e12;
 
@@ -30,11 +37,13 @@ struct FlowOptions
 {
   double timeStep = 0.01; ///< 0 = automatic, see automaticTimeStep()
   int numberOfSteps = 100;
+  Flow flow = Flow::MeanCurvature;
+  bool volumePreserving = false; ///< adds what keeps each component's volume, see HeldVolumes
   double curvatureSpeed = 1.0;   ///< C1 of (3.7), b of an edge detector; epsilon without a field
   double curvatureRange = 1.0;   ///< C2 of (3.7)
   double advectionSpeed = 1.0;   ///< C of (3.8); a of an edge detector
   double advectionBalance = 0.0; ///< D of (3.8), in [0, 1]
-  bool relativeUnits = true;     ///< C1, S0, C2 times L^2 and alpha times L
+  bool relativeUnits = true;     ///< see inAbsoluteUnits()
   FieldMode fieldMode = FieldMode::DistanceField;
   double edgeSharpness = 0.0; ///< K
   bool unsignedField = false; ///< D = 0 within two cells of the target
@@ -57,20 +66,25 @@ struct FlowOptions
   {
     return this->smoothingSteps > 0 && iteration >= this->numberOfSteps;
   }
+  /// Surface diffusion does so anyway, but for what a time step is too long for.
+  bool holdsVolume() const
+  {
+    return this->volumePreserving || this->flow == Flow::SurfaceDiffusion;
+  }
   bool isRemeshingDue(int iteration) const { return iteration % this->remeshingInterval == 0; }
 };
 
 /// All of them: a new one does not compile before it is listed here.
 inline auto membersOf(const FlowOptions& options)
 {
-  const auto& [timeStep, numberOfSteps, curvatureSpeed, curvatureRange, advectionSpeed,
-    advectionBalance, relativeUnits, fieldMode, edgeSharpness, unsignedField, redistribution,
-    smoothingSteps, smoothingSpeed, smoothingDecay, boundaryMode, surfaceGuard,
+  const auto& [timeStep, numberOfSteps, flow, volumePreserving, curvatureSpeed, curvatureRange,
+    advectionSpeed, advectionBalance, relativeUnits, fieldMode, edgeSharpness, unsignedField,
+    redistribution, smoothingSteps, smoothingSpeed, smoothingDecay, boundaryMode, surfaceGuard,
     convergenceTolerance, stallSteps, longestAdvection, remeshingInterval, solverTolerance,
     tracesStart] = options;
-  return std::tie(timeStep, numberOfSteps, curvatureSpeed, curvatureRange, advectionSpeed,
-    advectionBalance, relativeUnits, fieldMode, edgeSharpness, unsignedField, redistribution,
-    smoothingSteps, smoothingSpeed, smoothingDecay, boundaryMode, surfaceGuard,
+  return std::tie(timeStep, numberOfSteps, flow, volumePreserving, curvatureSpeed, curvatureRange,
+    advectionSpeed, advectionBalance, relativeUnits, fieldMode, edgeSharpness, unsignedField,
+    redistribution, smoothingSteps, smoothingSpeed, smoothingDecay, boundaryMode, surfaceGuard,
     convergenceTolerance, stallSteps, longestAdvection, remeshingInterval, solverTolerance,
     tracesStart);
 }
@@ -86,7 +100,8 @@ bool operator==(const FlowOptions& a, const FlowOptions& b);
 void checkOptions(const FlowOptions& options);
 
 /**
- * The options with all lengths in the input's unit: C1, S0 and C2 times L^2 and alpha times L.
+ * The options with all lengths in the input's unit: C1, S0 and C2 times L^2 and alpha times L;
+ * for surface diffusion C1 times L^4.
  * For an edge detector a and K, an area per time and an area per squared intensity, are
  * multiplied by L^2 too. Unchanged when they are absolute already.
  * @param lengthUnit L

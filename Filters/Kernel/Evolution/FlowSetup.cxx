@@ -5,10 +5,12 @@
 
 #include "Errors.h"
 #include "Evolution/AutomaticTimeStep.h"
+#include "Mesh/TopologySummary.h"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string>
 
 namespace evolving
 {
@@ -42,6 +44,31 @@ void checkStart(const SurfaceMesh& start)
   }
 }
 
+/// Where nothing else moves the surface, and it encloses what it is to keep.
+void checkFlow(const SurfaceMesh& start, const ScalarImage* field, const FlowOptions& options)
+{
+  if (!options.holdsVolume())
+  {
+    return;
+  }
+  const bool isDiffusion = options.flow == Flow::SurfaceDiffusion;
+  const std::string name = isDiffusion ? "Surface diffusion" : "A volume-preserving flow";
+  if (field)
+  {
+    throw InputError(name +
+      " got a field, expected none: it would move the surface against its own "
+      "volume; disconnect the field, or choose another flow.");
+  }
+  if (!summarizeTopology(start).isClosed() &&
+    (isDiffusion || options.boundaryMode != BoundaryMode::Fixed))
+  {
+    throw InputError(name + " got a start surface with a boundary" +
+      (isDiffusion ? "" : " that may move") + ", expected a closed one" +
+      (isDiffusion ? "" : " or a boundary that rests") + "; close it first, for example with " +
+      "vtkShrinkWrap" + (isDiffusion ? "." : ", or set BoundaryMode to Fixed."));
+  }
+}
+
 /// C sqrt(1 + D^2): the rate of the explicit pull towards a target.
 double advectionRate(const FlowOptions& options, const ScalarImage* field)
 {
@@ -53,6 +80,10 @@ double advectionRate(const FlowOptions& options, const ScalarImage* field)
 double rateOf(const FlowOptions& options, const ScalarImage* field, double size)
 {
   const double perArea = 1.0 / (size * size);
+  if (options.flow == Flow::SurfaceDiffusion)
+  {
+    return options.curvatureSpeed * perArea * perArea;
+  }
   if (!field || options.advectionSpeed == 0.0)
   {
     return options.curvatureSpeed * perArea;
@@ -67,6 +98,7 @@ FlowSetup setUpFlow(const SurfaceMesh& start, const ScalarImage* field, const Fl
 {
   checkOptions(options);
   checkStart(start);
+  checkFlow(start, field, options);
   FlowSetup setup;
   setup.size = sizeOf(start, field, options.fieldMode);
   setup.lengthUnit = options.relativeUnits ? setup.size : 1.0;

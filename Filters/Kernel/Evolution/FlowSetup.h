@@ -24,9 +24,9 @@ struct FlowSetup
   double lengthUnit = 1.0; ///< what the options were scaled by
   SubSteps parts;          ///< of every time step
   /// A vertex that moves less along its normal in a step is at rest: by convergenceTolerance times
-  /// L in the flow's own time, 1 / C towards a target, and L^2 / C1 by curvature alone. So neither
-  /// units nor step lengths count, and no closed surface rests, for somewhere its H is at least 2 /
-  /// L.
+  /// L in the flow's own time, 1 / C towards a target, and L^2 / C1 by curvature alone (L^4 / C1 by
+  /// surface diffusion). So neither units nor step lengths count, and no closed surface rests, for
+  /// somewhere its H is at least 2 / L.
   double restingMove = 0.0;
 };
 
@@ -34,7 +34,8 @@ struct FlowSetup
  * L is half the diagonal of the box of samples with d <= 0; without a field or such samples, and
  * for an edge detector, of the start's box.
  * @param field may be null
- * @throws InputError for options out of range or a start without area
+ * @throws InputError for options out of range, a start without area, or a flow that holds volumes
+ * with a field or with a boundary that it cannot have
  */
 FlowSetup setUpFlow(const SurfaceMesh& start, const ScalarImage* field, const FlowOptions& options);
 

@@ -30,6 +30,9 @@ struct FlowRecord
   double maxDistance = 0.0;
   double minAngle = 0.0; ///< degrees
   int solverIterations = 0;
+  /// False where the step after the state goes without the volume-based redistribution, for which
+  /// no potential could be solved for.
+  bool isRedistributed = true;
   double seconds = 0.0; ///< wall time of the step
 };
 

@@ -50,6 +50,17 @@ const std::vector<Vec3>& SemiImplicitStep::displacement(const SurfaceGeometry& g
   return this->Displacement;
 }
 
+std::vector<Vec3> SemiImplicitStep::response(
+  const std::vector<Vec3>& force, double tolerance, const Execution& execution)
+{
+  std::vector<Vec3> b(force.size());
+  forEachIndex(execution, this->A.rows(),
+    [&](Index i) { b[at(i)] = this->IsKnown[at(i)] ? Vec3(Vec3::Zero()) : force[at(i)]; });
+  std::vector<Vec3> response(force.size(), Vec3::Zero());
+  this->Iterations += solve(this->A, b, response, tolerance, execution);
+  return response;
+}
+
 void SemiImplicitStep::guessDisplacement(const Execution& execution)
 {
   this->Displacement.resize(this->B.size(), Vec3::Zero());

@@ -52,7 +52,15 @@ public:
   const std::vector<Vec3>& displacement(const SurfaceGeometry& geometry, const StepInput& input,
     double tolerance, const Execution& execution);
 
-  /// Of the last solve.
+  /**
+   * What forces add to the last displacement: A D = force with the same A, and D = 0 where it is
+   * known.
+   * @throws SolverError, Cancelled
+   */
+  std::vector<Vec3> response(
+    const std::vector<Vec3>& force, double tolerance, const Execution& execution);
+
+  /// Of the last displacement and its response.
   int iterations() const { return this->Iterations; }
 
 private:

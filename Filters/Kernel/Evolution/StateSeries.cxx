@@ -104,6 +104,13 @@ std::vector<int> StateSeries::iterations() const
   return iterations;
 }
 
+int StateSeries::stepsWithoutRedistribution() const
+{
+  // No step comes after the last state.
+  return static_cast<int>(std::count_if(this->History.begin(), this->History.end() - 1,
+    [](const FlowRecord& record) { return !record.isRedistributed; }));
+}
+
 /// Those kept are the first published ones.
 bool StateSeries::isPublished(int iteration) const
 {

@@ -66,6 +66,8 @@ public:
 
   /// One record per computed step, the start included.
   const std::vector<FlowRecord>& history() const { return this->History; }
+  /// Steps that went without the volume-based redistribution, see FlowRecord::isRedistributed.
+  int stepsWithoutRedistribution() const;
   /// As SurfaceFlow::stopReason().
   const std::string& stopReason() const { return this->StopReason; }
   /// As SurfaceFlow::extinctionTime().

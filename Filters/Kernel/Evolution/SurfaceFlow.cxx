@@ -80,6 +80,7 @@ void SurfaceFlow::evaluate(const Execution& execution)
   this->Surface.evaluate(this->Record.iteration, execution);
   this->Arrays = this->Surface.arrays();
   this->Record.solverIterations = this->Surface.solverIterations();
+  this->Record.isRedistributed = this->Surface.isRedistributed();
   measureState(this->mesh(), this->Center, this->Arrays, this->Record, this->Run);
 }
 
@@ -267,7 +268,9 @@ FlowState SurfaceFlow::state() const
 void SurfaceFlow::restore(const FlowState& state, const Execution& execution)
 {
   this->Surface.setPlace(
-    { state.origin, { state.points, state.curvePositions }, state.startPoints }, execution);
+    { state.origin, { state.points, state.curvePositions, state.record.isRedistributed },
+      state.startPoints },
+    execution);
   this->Arrays = state.arrays;
   this->Record = state.record;
   this->Stall = state.stall;

@@ -22,7 +22,10 @@
 #include "Redistribution/SurfaceCurves.h"
 #include "Redistribution/TangentialVelocity.h"
 #include "Redistribution/VanishedComponents.h"
+#include "VolumeFlows/HeldVolumes.h"
+#include "VolumeFlows/SurfaceDiffusion.h"
 
+#include <optional>
 #include <vector>
 
 namespace evolving
@@ -33,6 +36,8 @@ struct SurfacePosition
 {
   std::vector<Vec3> points;
   SurfaceCurves::Positions onCurves; ///< of boundary vertices that slide
+  /// False from where no volume-based velocity was to be had, as at a neck that has pinched off.
+  bool isRedistributed = true;
 };
 
 /**
@@ -56,10 +61,16 @@ public:
   VertexMotion& operator=(const VertexMotion&) = delete;
 
   const SurfaceMesh& mesh() const { return this->Mesh; }
+  /// Volumes of the components as they are held; empty where the flow holds none.
+  std::vector<double> heldVolumes() const;
   /// The area of the smallest component at the start.
   double smallestComponentArea() const { return this->Vanished.smallestStartArea(); }
-  SurfacePosition position() const { return { this->Mesh.points, this->OnCurves }; }
+  SurfacePosition position() const
+  {
+    return { this->Mesh.points, this->OnCurves, this->IsRedistributed };
+  }
   void setPosition(const SurfacePosition& position);
+  bool isRedistributed() const { return this->IsRedistributed; }
 
   /// Computes the velocities of the normal evolution. @throws SolverError, Cancelled
   void evaluateFlow(const Execution& execution);
@@ -81,7 +92,10 @@ public:
   StateArrays arrays() const;
   const SurfaceGeometry& geometry() const { return this->Geometry; }
   /// Of the last evaluation and of the last advance().
-  int evaluationIterations() const { return this->Tangential.iterations(); }
+  int evaluationIterations() const
+  {
+    return this->Tangential.iterations() + this->DiffusionIterations;
+  }
   int advanceIterations() const { return this->Step.iterations(); }
 
 private:
@@ -91,14 +105,21 @@ private:
     SurfacePosition before;
     std::vector<char> isHeld; ///< vertices that only slide
     LimitedMove limited;
+    std::vector<Vec3> response; ///< what a multiplier of the volume adds to it
     double timeStep = 0.0;
   };
 
-  void limitAdvection(const Execution& execution);
+  void takeControls(const Execution& execution);
+  void takeDiffusion(const Execution& execution);
   void evaluateVelocities(const Execution& execution);
+  void evaluateTangential(const Execution& execution);
+  void dropVolumeRedistribution();
+  std::vector<Vec3> responseToVolume(const Execution& execution);
+  void restoreVolumes(const Execution& execution);
   void redoLastMove(const Execution& execution);
   std::vector<Vec3> slide(const std::vector<Vec3>& velocity, double timeStep);
   bool isHeld(Index vertex) const;
+  std::vector<char> heldVertices() const;
 
   SurfaceMesh Mesh;
   FlowOptions Options;
@@ -112,8 +133,13 @@ private:
   SurfaceGeometry Geometry;
   const ControlField& Field;
   TangentialVelocity Tangential;
+  bool IsRedistributed = true;
   SemiImplicitStep Step;
+  SurfaceDiffusion Diffusion;
+  int DiffusionIterations = 0;        ///< of the last evaluation
+  std::optional<HeldVolumes> Volumes; ///< where the flow holds them
   ControlValues Controls;
+  std::vector<Vec3> GivenVelocity;   ///< what (4.16) takes as it is: eta N, or all of diffusion
   std::vector<Vec3> NormalVelocity;  ///< v_N
   std::vector<Vec3> TangentVelocity; ///< v_T
   Move LastMove;

@@ -72,6 +72,12 @@ std::vector<Vec3> TangentialVelocity::velocity(
   return velocity;
 }
 
+void TangentialVelocity::dropVolume()
+{
+  this->Options.volume = 0.0;
+  this->Volume.forget();
+}
+
 void TangentialVelocity::addParts(const TangentialInput& input, const std::vector<Vec3>& tangents,
   std::vector<Vec3>& velocity, const Execution& execution)
 {

@@ -49,6 +49,9 @@ public:
    */
   std::vector<Vec3> velocity(const TangentialInput& input, const Execution& execution);
 
+  /// From now on without the volume-based velocity, for which there was no psi.
+  void dropVolume();
+
   /// psi; zero when the volume-based velocity is switched off.
   const std::vector<double>& potential() const { return this->Volume.potential(); }
   /// Of the last solve for psi.

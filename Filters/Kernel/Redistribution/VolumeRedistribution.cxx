@@ -74,6 +74,12 @@ VolumeRedistribution::VolumeRedistribution(const MeshTopology& topology)
 {
 }
 
+void VolumeRedistribution::forget()
+{
+  std::fill(this->Psi.begin(), this->Psi.end(), 0.0);
+  this->Iterations = 0;
+}
+
 std::vector<Vec3> VolumeRedistribution::velocity(const SurfaceMesh& mesh,
   const SurfaceGeometry& geometry, const std::vector<Vec3>& normalVelocity,
   const RedistributionOptions& options, double timeStep, double tolerance,

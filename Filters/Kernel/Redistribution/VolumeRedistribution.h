@@ -53,6 +53,9 @@ public:
     const std::vector<Vec3>& normalVelocity, const RedistributionOptions& options, double timeStep,
     double tolerance, const Execution& execution);
 
+  /// Makes psi zero, after a solve that failed.
+  void forget();
+
   /// psi of the last velocity; 0 at the first vertex of every component.
   const std::vector<double>& potential() const { return this->Psi; }
   /// Of the last solve.

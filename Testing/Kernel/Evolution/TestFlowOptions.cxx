@@ -75,6 +75,8 @@ TEST(FlowOptions, RelativeUnitsScaleByTheSize)
   EXPECT_EQ(absolute.redistribution.curvatureControlAlpha, 5.0);
   EXPECT_FALSE(absolute.relativeUnits);
   EXPECT_TRUE(inAbsoluteUnits(absolute, 10.0) == absolute);
+  options.flow = Flow::SurfaceDiffusion;
+  EXPECT_EQ(inAbsoluteUnits(options, 10.0).curvatureSpeed, 20000.0);
 }
 
 TEST(SubSteps, DivideAsTheExplicitPartsNeed)

@@ -5,6 +5,7 @@
 
 #include "Evolution/EvolutionFields.h"
 #include "Evolution/FlowCourse.h"
+#include "Mesh/TopologySummary.h"
 #include "Shapes/MeshVariants.h"
 #include "Shapes/SampledOnGrid.h"
 #include "Shapes/Sheets.h"
@@ -51,6 +52,8 @@ FlowOptions anyOptions(Dice& dice)
   FlowOptions o;
   o.timeStep = dice.below(2) ? dice.logarithmic(1e-3, 1.0) : dice.logarithmic(1e-12, 1e12);
   o.numberOfSteps = 6;
+  o.flow = static_cast<Flow>(dice.below(2));
+  o.volumePreserving = dice.below(2) == 0;
   o.curvatureSpeed = dice.rate();
   o.curvatureRange = dice.logarithmic(1e-6, 1e6);
   o.advectionSpeed = dice.rate();
@@ -113,8 +116,13 @@ TEST_P(AnyParameters, EndWellOnAnyShape)
   {
     for (int trial = 0; trial < 8; ++trial)
     {
-      const FlowOptions options = anyOptions(dice);
+      FlowOptions options = anyOptions(dice);
       const auto& field = allFields[dice.below(static_cast<unsigned>(allFields.size()))];
+      if (field || !summarizeTopology(start).isClosed())
+      {
+        options.flow = Flow::MeanCurvature; // others are refused
+        options.volumePreserving = false;
+      }
       SCOPED_TRACE(
         std::to_string(start.vertexCount()) + " vertices, trial " + std::to_string(trial));
       const Course course = follow(start, field, options);
