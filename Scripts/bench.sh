@@ -99,6 +99,7 @@ build_programs()
 
 run_all()
 {
+  "$programs/CurvatureFlowStudy"
   "$programs/SphereTables"
   "$programs/StepTiming"
   "$programs/SolverChoice"

@@ -226,3 +226,27 @@ TEST(FlowRedistribution, VelocitiesAreTangentialInEveryStep)
     }
   }
 }
+
+TEST(FlowRedistribution, GoesOnWithoutAPotential)
+{
+  const SurfaceMesh start = shapes::unevenSphere(3);
+  const FlowOptions options = flows::meanCurvatureFlow(1e-3, 5, 1.0);
+  SurfaceFlow flow(start, nullptr, options);
+  EXPECT_TRUE(flow.record().isRedistributed);
+  flow.step();
+  FlowState state = flow.state();
+  state.record.isRedistributed = false; // as where none could be solved for
+  SurfaceFlow without(start, nullptr, options);
+  without.resume(state);
+  while (!without.isFinished())
+  {
+    EXPECT_FALSE(without.record().isRedistributed);
+    for (std::size_t i = 0; i < start.points.size(); ++i)
+    {
+      EXPECT_EQ(without.arrays().redistributionPotential[i], 0.0);
+      EXPECT_EQ(without.arrays().tangentialVelocity[i], Vec3::Zero());
+    }
+    without.step();
+  }
+  EXPECT_EQ(without.stopReason(), "");
+}
