@@ -63,6 +63,13 @@ public:
     const std::vector<Vec3>& normals, LimitedMove& move, const PlaceVertices& place,
     const Execution& execution) const;
 
+  /// Has a move turned faces over that may not?
+  bool hasTurned(
+    const SurfaceMesh& mesh, const std::vector<Vec3>& before, const Execution& execution) const
+  {
+    return !this->turnedFaces(mesh, before, execution).empty();
+  }
+
 private:
   bool isTurned(const SurfaceMesh& mesh, const std::vector<Vec3>& before, Index face) const;
   std::vector<Index> turnedFaces(
