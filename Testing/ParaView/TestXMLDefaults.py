@@ -261,7 +261,8 @@ class XMLTest(unittest.TestCase):
 def is_shown(element, defaults):
     """Whether the property's decorators show it as long as all values are the defaults."""
     for decorator in element.findall("Hints/PropertyWidgetDecorator[@mode='visibility']"):
-        equal = defaults[decorator.get("property")] == decorator.get("value")
+        # What is no property is an input, and none at first.
+        equal = defaults.get(decorator.get("property"), "null") == decorator.get("value")
         if equal == (decorator.get("inverse") == "1"):
             return False
     return True

@@ -132,8 +132,8 @@ bool EvolvingSurface::remesh(bool isLast, const Execution& execution)
   try
   {
     validate(*remeshed);
-    giveBackVolumes(this->Motion->heldVolumes(), *remeshed, execution.phase(0.8, 0.8));
     auto startPoints = this->traceStart(*remeshed, execution.phase(0.8, 0.8));
+    giveBackVolumes(this->Motion->heldVolumes(), *remeshed, execution.phase(0.8, 0.8));
     this->setElements(
       std::make_shared<const SurfaceMesh>(std::move(*remeshed)), execution.phase(0.8, 0.9));
     this->StartPoints = std::move(startPoints);

@@ -56,8 +56,9 @@ void checkFlow(const SurfaceMesh& start, const ScalarImage* field, const FlowOpt
   if (field)
   {
     throw InputError(name +
-      " got a field, expected none: it would move the surface against its own "
-      "volume; disconnect the field, or choose another flow.");
+      " got a field, expected none: it would move the surface against its own volume; disconnect "
+      "the field, or " +
+      (isDiffusion ? "set Flow to MeanCurvature." : "switch VolumePreserving off."));
   }
   if (!summarizeTopology(start).isClosed() &&
     (isDiffusion || options.boundaryMode != BoundaryMode::Fixed))
