@@ -152,19 +152,41 @@ void MovingSurface::place(const std::vector<char>& changed, const Execution& exe
     });
 }
 
+/**
+ * Flags who has to yield where moves spoil a face: the vertices that do so alone, so that one that
+ * repairs a sliver goes on; all of them where only together they do.
+ */
+void flagSpoilers(
+  const SpoiledElements& elements, const SurfaceMesh& mesh, Index face, std::vector<char>& flags)
+{
+  bool isAny = false;
+  for (Index k = 0; k < mesh.faceSize(face); ++k)
+  {
+    const bool spoils = elements.isSpoiledBy(face, k);
+    flags[at(mesh.faceVertex(face, k))] |= spoils ? 1 : 0;
+    isAny = isAny || spoils;
+  }
+  for (Index k = 0; !isAny && k < mesh.faceSize(face); ++k)
+  {
+    flags[at(mesh.faceVertex(face, k))] = 1;
+  }
+}
+
 /// True when moves had to be shortened; flags their vertices.
 bool MovingSurface::shortenSpoilingMoves(
   int attempt, std::vector<char>& changed, const Execution& execution)
 {
+  const SpoiledElements elements(
+    this->Mesh, this->Before, this->Geometry.normals(), this->SmallestAngle);
   const std::vector<char> spoiled = spoiledElements(
     this->Mesh, this->Before, this->Geometry.normals(), this->SmallestAngle, execution);
   std::fill(changed.begin(), changed.end(), 0);
   bool any = false;
   for (Index face = 0; face < this->Mesh.faceCount(); ++face)
   {
-    for (Index k = 0; spoiled[at(face)] && k < this->Mesh.faceSize(face); ++k)
+    if (spoiled[at(face)])
     {
-      changed[at(this->Mesh.faceVertex(face, k))] = 1;
+      flagSpoilers(elements, this->Mesh, face, changed);
       any = true;
     }
   }

@@ -58,3 +58,19 @@ TEST(SpoiledElements, FlagsSharpenedElementsWithStraightCorners)
   mesh.points[3].y() = 0.5;
   EXPECT_EQ(spoiledElements(mesh, before, up, 20.0, Execution())[0], 0);
 }
+
+TEST(SpoiledElements, KnowsWhoSpoilsACap)
+{
+  // The base comes up to the apex, which itself moves away from it: too little for both.
+  SurfaceMesh mesh;
+  mesh.points = { Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, 0.01, 0) };
+  mesh.addFace({ 0, 1, 2 });
+  const std::vector<Vec3> up(3, Vec3::UnitZ());
+  const std::vector<Vec3> before = mesh.points;
+  mesh.points = { Vec3(0, 0.1, 0), Vec3(1, 0, 0), Vec3(0.5, 0.03, 0) };
+  const SpoiledElements elements(mesh, before, up, 20.0);
+  EXPECT_TRUE(elements.isSpoiled(0));
+  EXPECT_TRUE(elements.isSpoiledBy(0, 0));
+  EXPECT_FALSE(elements.isSpoiledBy(0, 1)); // does not move
+  EXPECT_FALSE(elements.isSpoiledBy(0, 2)); // improves it
+}

@@ -8,6 +8,7 @@
 #include "Mesh/Angles.h"
 #include "Mesh/MeshQuality.h"
 #include "Shapes/Sheets.h"
+#include "Shapes/Slivers.h"
 #include "Shapes/Spheres.h"
 #include "Shapes/Tubes.h"
 #include "StartSurface/PrimitiveSurfaces.h"
@@ -107,5 +108,22 @@ TEST(RedistributionAngles, NeverWorsensTheSmallestAngleOfOrdinaryMeshes)
     EXPECT_GE(smallestAngle(result.mesh), std::min(before, 40.0) - 1e-9)
       << input.vertexCount() << " vertices";
     EXPECT_GE(summarizeAngles(result.mesh).mean, summarizeAngles(input).mean - 0.5);
+  }
+}
+
+TEST(RedistributionAngles, RepairsCaps)
+{
+  // A vertex with three neighbours cannot do better than 30 degrees, in the middle of them.
+  for (const double inwards : { 1e-5, 1e-3, 1e-2 })
+  {
+    for (const Index face : { 5, 100, 777 })
+    {
+      const SurfaceMesh input = shapes::withCap(icosphere(3), face, inwards);
+      ASSERT_LT(smallestAngle(input), 120.0 * inwards);
+      SurfaceRedistributionOptions options;
+      EXPECT_GT(smallestAngle(redistributeSurface(input, options).mesh), 29.0) << inwards;
+      options.preserveShape = false;
+      EXPECT_GT(smallestAngle(redistributeSurface(input, options).mesh), 29.0) << inwards;
+    }
   }
 }
