@@ -33,23 +33,35 @@ public:
    */
   EvolutionStart(vtkPolyData* input, bool isSplit, const evolving::Execution& execution);
 
+  /**
+   * Slivers, as contour filters make them, are no part of what is to evolve.
+   * @return whether there were any that could be taken out
+   */
+  bool TakeSliversOut();
+
+  /// What evolves.
   const std::shared_ptr<const evolving::SurfaceMesh>& Mesh() const { return this->Start; }
 
   /**
    * @param input the one that the start was made of, or one of equal points and cells
-   * @param state of a flow that traced the start, unless it has the start's elements
+   * @param state of a flow from Mesh() that traced it, unless it has the start's elements
    */
   void WriteData(vtkPolyData* input, const evolving::FlowState& state, vtkPolyData* output,
     const evolving::Execution& execution);
 
 private:
-  void FindPlaces(const evolving::FlowState& state, const evolving::Execution& execution);
+  using Points = std::shared_ptr<const std::vector<evolving::Vec3>>;
+
+  /// @param places on the start, of the points of faces
+  void FindPlaces(
+    const Points& places, const evolving::SurfaceMesh& faces, const evolving::Execution& execution);
 
   std::shared_ptr<const evolving::SurfaceMesh> Start;
-  DataTransfer::Copies Elements; ///< where the start's come from
+  std::shared_ptr<const evolving::SurfaceMesh> WithSlivers; ///< the start, unless there were some
+  DataTransfer::Copies Elements;                            ///< where those of it come from
   std::unique_ptr<const ClosestElements> Closest;
   /// Of the elements that were written last, and where they come from.
-  std::shared_ptr<const std::vector<evolving::Vec3>> Written;
+  Points Written;
   std::vector<DataTransfer::Mixture> PointPlaces;
   std::vector<vtkIdType> CellPlaces;
 };

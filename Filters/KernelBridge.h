@@ -28,6 +28,7 @@
 #include "Mesh/TopologySummary.h"
 #include "Operators/SpoiledElements.h"
 #include "Redistribution/SurfaceRedistribution.h"
+#include "Remeshing/SliverRemoval.h"
 #include "ShrinkWrap/Shortcomings.h"
 #include "ShrinkWrap/ShrinkWrap.h"
 #include "ShrinkWrap/SurfaceReport.h"

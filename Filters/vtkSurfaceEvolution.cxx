@@ -260,6 +260,11 @@ std::unique_ptr<EvolutionOutput> vtkSurfaceEvolution::Solve(vtkPolyData* input, 
 {
   const bool isSplit = this->Remeshing != OFF && this->Remeshing != AUTOMATIC;
   this->Solved->Start = std::make_unique<EvolutionStart>(input, isSplit, execution.phase(0.0, 0.0));
+  const auto remeshing = this->RemeshingOptions();
+  if (remeshing)
+  {
+    this->Solved->Start->TakeSliversOut();
+  }
   const auto start = this->Solved->Start->Mesh();
   std::shared_ptr<const evolving::ScalarImage> image;
   if (field)
@@ -267,7 +272,7 @@ std::unique_ptr<EvolutionOutput> vtkSurfaceEvolution::Solve(vtkPolyData* input, 
     image = std::make_shared<const evolving::ScalarImage>(KernelBridge::ReadImage(field));
   }
   std::shared_ptr<evolving::Remesher> remesher;
-  if (const auto remeshing = this->RemeshingOptions())
+  if (remeshing)
   {
     remesher = std::make_shared<evolving::SurfaceRemesher>(*start, *remeshing);
   }

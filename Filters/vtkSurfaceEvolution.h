@@ -426,12 +426,15 @@ public:
    * New elements during the evolution, by splitting, collapsing and flipping edges: OFF, UNIFORM,
    * of one size, CURVATURE_ADAPTIVE, about as many that are smaller where the surface is curved, or
    * AUTOMATIC (the default): the elements stay as they are, points and polygons, until one has an
-   * angle below 20 degrees (5 before sharp edges are rounded off), then there are uniform ones.
-   * Points, polygons and arrays of a time step are those of its elements; the start is as it was,
-   * but polygons are split into triangles (AUTOMATIC: when there are new elements). New points lie
-   * on the smooth surface that the evolved triangles stand for, so that nothing shrinks. A boundary
-   * keeps its shape: its edges are split, and only points in a straight line vanish (others, too,
-   * where it is FREE). Creases are not kept as such. The genus stays, also where a neck has closed.
+   * angle below 20 degrees (5 before sharp edges are rounded off), then there are uniform ones, as
+   * good as can be at the end. Points, polygons and arrays of a time step are those of its
+   * elements; the start is as it was, but without the slivers and nearly coincident points of a
+   * contour, and polygons are split into triangles (AUTOMATIC: when there are new elements). New
+   * points lie on the smooth surface that the evolved triangles stand for, so that nothing shrinks.
+   * A boundary keeps its shape: its edges are split, and only points in a straight line vanish
+   * (others, too, where it is FREE, or, at the start, where that moves it by less than a fiftieth
+   * of the edges around). Creases are not kept as such. The genus stays, also where a neck has
+   * closed.
    */
   vtkSetClampMacro(Remeshing, int, OFF, AUTOMATIC);
   vtkGetMacro(Remeshing, int);

@@ -136,6 +136,7 @@ SurfaceRemesher::SurfaceRemesher(const SurfaceMesh& start, const SurfaceRemeshin
   if (options.onlyDegenerate)
   {
     this->Vertices = wantedVertices(start);
+    this->StartCorners = start.cornerVertices;
   }
   else if (!(options.edgeLength > 0.0))
   {
@@ -150,10 +151,17 @@ double SurfaceRemesher::edgeLength(const SurfaceMesh& surface) const
                                         : coveringEdgeLength(surfaceArea(surface), this->Vertices);
 }
 
+/// Elements that have been made anew are not what anybody asked to keep.
+bool SurfaceRemesher::hasStartElements(const SurfaceMesh& surface) const
+{
+  return surface.cornerVertices == this->StartCorners;
+}
+
 std::optional<SurfaceMesh> SurfaceRemesher::remesh(
   const RemeshingInput& input, const Execution& execution)
 {
-  if (this->Options.onlyDegenerate &&
+  const bool mayStay = !input.isLast || this->hasStartElements(input.surface);
+  if (this->Options.onlyDegenerate && mayStay &&
     !hasDegenerateElements(
       input.surface, this->Options.boundaryMode, this->edgeLength(input.surface)))
   {

@@ -16,6 +16,7 @@
 #include "Mesh/SurfaceMesh.h"
 
 #include <tuple>
+#include <vector>
 
 namespace evolving
 {
@@ -25,7 +26,7 @@ struct SurfaceRemeshingOptions
   ElementSizing sizing = ElementSizing::Uniform;
   double edgeLength = 0.0; ///< 0 = the mean of the start's; with onlyDegenerate as many as it has
   BoundaryMode boundaryMode = BoundaryMode::Fixed;
-  bool onlyDegenerate = false; ///< elements stay until hasDegenerateElements()
+  bool onlyDegenerate = false; ///< the start's elements stay until hasDegenerateElements()
 };
 
 /// All of them: a new one does not compile before it is listed here.
@@ -48,9 +49,9 @@ void checkOptions(const SurfaceRemeshingOptions& options);
  * triangles stand for (CurvedReference), so that remeshing again and again does not shrink it.
  *
  * - Good elements stay as they are, except at the end of the flow, where all are made as good as
- *   can be. With onlyDegenerate any elements stay until some degenerate, at the end, too: then
- *   polygons become triangles, all elements are made anew, and necks that have pinched off are cut
- *   (withNecksCut()) where no field holds the surface.
+ *   can be. With onlyDegenerate any elements stay until some degenerate, those of the start at the
+ *   end, too: then polygons become triangles, all elements are made anew, and necks that have
+ *   pinched off are cut (withNecksCut()) where no field holds the surface.
  * - A component keeps at least some hundred vertices, however small it has become
  *   (setElementSizes()); one that has shrunk to a point (VanishedComponents) is left out when
  *   others remain.
@@ -76,7 +77,10 @@ private:
   std::optional<SurfaceMesh> remeshTriangles(
     const RemeshingInput& input, const Execution& execution);
 
+  bool hasStartElements(const SurfaceMesh& surface) const;
+
   SurfaceRemeshingOptions Options;
+  std::vector<Index> StartCorners; ///< with onlyDegenerate: the start's faces
   double Vertices = 0.0;    ///< with onlyDegenerate: how many equilateral ones shall cover it
   double SmallestComponent; ///< area of one at the start
 };

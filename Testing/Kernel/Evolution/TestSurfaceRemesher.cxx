@@ -251,3 +251,24 @@ TEST(SurfaceRemesher, RefusesElementsWithoutNumber)
   EXPECT_THROW(remeshed(icosphere(2), withEdges(Uniform, 1e-6)), InputError);
   EXPECT_THROW(remeshed(icosphere(2), withEdges(Adaptive, 1e-6)), InputError);
 }
+
+TEST(SurfaceRemesher, MakesItsOwnElementsGoodAtTheEndAndKeepsTheStarts)
+{
+  SurfaceRemeshingOptions onlyDegenerate;
+  onlyDegenerate.onlyDegenerate = true;
+  const auto stretched = [](const SurfaceMesh& mesh)
+  { return shapes::mapped(mesh, Vec3(1.0, 1.0, 2.0).asDiagonal().toDenseMatrix()); };
+  const SurfaceMesh start = stretched(icosphere(4));
+  SurfaceRemesher remesher(start, onlyDegenerate);
+  const auto atEnd = [&](const SurfaceMesh& mesh) {
+    return remesher.remesh({ mesh, mesh.points, {}, true }, {});
+  };
+  ASSERT_LT(smallestAngle(start), 35.0); // no good ones, but nobody asked for others
+  EXPECT_FALSE(atEnd(start).has_value());
+  const SurfaceMesh own = remeshed(icosphere(4), withEdges(Uniform, 0.08));
+  const SurfaceMesh later = stretched(own);
+  ASSERT_LT(smallestAngle(later), 35.0);
+  EXPECT_FALSE(remesher.remesh({ later, later.points, {}, false }, {}).has_value());
+  ASSERT_TRUE(atEnd(later).has_value());
+  EXPECT_GT(smallestAngle(*atEnd(later)), 38.0);
+}
