@@ -30,11 +30,14 @@ using Names = std::vector<std::string>;
 //------------------------------------------------------------------------------
 TEST(SurfaceEvolutionEnd, ASolveThatCannotGoOnKeepsWhatWasReached)
 {
-  // The field draws the surface to a sphere far outside of the image; the guard lets none go there.
+  // The field draws the surface to a sphere that the image has only corners of; the guard lets none
+  // leave the image.
   vtkNew<vtkSurfaceEvolution> filter;
   EventLog log(filter);
   SetUpAttraction(filter, Sample::Icosphere(2, 0.5));
-  filter->SetInputData(1, Sample::SphereImage(17, 2.0, 10.0));
+  filter->SetInputData(1, Sample::SphereImage(17, 2.0, 3.0));
+  filter->SetSurfaceGuard(1.0);
+  filter->SetAdvectionSpeed(2.0);
   filter->SetTimeStep(0.02);
   filter->Update();
   ASSERT_EQ(log.Errors.size(), 1u);

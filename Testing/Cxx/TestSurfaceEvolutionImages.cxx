@@ -19,6 +19,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -29,7 +30,7 @@ namespace
 using Image = vtkSmartPointer<vtkImageData>;
 
 //------------------------------------------------------------------------------
-/// The distances to a sphere of radius 100, rounded, as another type.
+/// The distances to a sphere of radius 100, rounded, as another type: as far as that goes.
 Image OfType(int type)
 {
   const Image image = Sample::SphereImage(25, 180.0, 100.0);
@@ -38,7 +39,9 @@ Image OfType(int type)
   values->SetNumberOfTuples(distances->GetNumberOfTuples());
   for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
   {
-    values->SetTuple1(i, std::round(distances->GetTuple1(i)));
+    values->SetTuple1(i,
+      std::clamp(
+        std::round(distances->GetTuple1(i)), values->GetDataTypeMin(), values->GetDataTypeMax()));
   }
   image->GetPointData()->SetScalars(values);
   return image;
@@ -132,19 +135,17 @@ TEST(FieldImage, ArraysThatAreNotActiveAreRefusedWithTheirNames)
 }
 
 //------------------------------------------------------------------------------
-TEST(FieldImage, ValuesThatAreNoDistancesStopTheRun)
+TEST(FieldImage, ValuesThatAreNoDistancesAreRefused)
 {
   const Image image = Sample::SphereImage(9, 2.0, 1.0);
   vtkDataArray* values = image->GetPointData()->GetScalars();
   for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
   {
-    values->SetTuple1(i, 1e20 * values->GetTuple1(i));
+    values->SetTuple1(i, 100.0 * values->GetTuple1(i));
   }
   vtkNew<vtkSurfaceEvolution> filter;
-  ExpectSentence(filter, image, "left the bounding box");
-  EXPECT_EQ(FieldValue(filter->GetOutput(), "Stopped"), 0.0);
-  EXPECT_NEAR(DistanceFromOrigin(filter->GetOutput()).Largest, 1.5, 1e-12);
-  EXPECT_EQ(FieldValue(filter->GetOutput(), "Iteration"), 0.0);
+  ExpectSentence(filter, image, "expected a signed distance, which changes by 1");
+  EXPECT_TRUE(IsInitialized(filter->GetOutput()));
 }
 
 //------------------------------------------------------------------------------

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Targets that are no ordinary ones: the start itself, a point, nothing, far away.
+// Targets that are no ordinary ones: the start itself, a point, far away.
 
 #include "Evolution/EvolutionFields.h"
 #include "Evolution/FlowCourse.h"
@@ -24,7 +24,6 @@ struct Target
   double halfSize; ///< of the grid
   double smallest; ///< distance of the result from the origin
   double largest;
-  bool vanishes = false; ///< it shrinks to a point
 };
 
 class FlowOntoTarget : public ::testing::TestWithParam<Target>
@@ -34,16 +33,12 @@ class FlowOntoTarget : public ::testing::TestWithParam<Target>
 TEST_P(FlowOntoTarget, EndsWithAFiniteSurface)
 {
   const Target& target = GetParam();
-  DistanceGrid grid = shapes::cubicGrid(std::max(2, target.samples), target.halfSize);
-  if (target.samples == 1)
-  {
-    grid.extent = { 0, 0, 0, 0, 0, 0 };
-  }
-  const auto field = shapes::image(grid, target.value);
+  const auto field =
+    shapes::image(shapes::cubicGrid(target.samples, target.halfSize), target.value);
   const Course course = follow(icosphere(2), field, attraction(0.1, 60));
   EXPECT_EQ(course.turnedFaces, 0);
   EXPECT_EQ(course.stopReason, "");
-  EXPECT_EQ(course.extinctionTime.has_value(), target.vanishes);
+  EXPECT_FALSE(course.extinctionTime.has_value());
   double smallest = 1e300;
   double largest = 0.0;
   for (const Vec3& p : course.points)
@@ -61,10 +56,7 @@ INSTANTIATE_TEST_SUITE_P(Targets, FlowOntoTarget,
     Target{ "SmallerThanACell", [](const Vec3& p) { return p.norm() - 0.05; }, 17, 1.6, 0.0, 0.12 },
     Target{ "APoint", [](const Vec3& p) { return p.norm(); }, 17, 1.6, 0.0, 0.1 },
     Target{
-      "GridInsideTheStart", [](const Vec3& p) { return p.norm() - 0.3; }, 17, 0.5, 0.27, 0.33 },
-    Target{ "AConstant", [](const Vec3&) { return 1.0; }, 9, 1.6, 0.0, 0.1, true },
-    Target{ "ZeroEverywhere", [](const Vec3&) { return 0.0; }, 9, 1.6, 0.99, 1.001 },
-    Target{ "OneSample", [](const Vec3&) { return -1.0; }, 1, 1.6, 0.0, 0.1, true }),
+      "GridInsideTheStart", [](const Vec3& p) { return p.norm() - 0.3; }, 17, 0.5, 0.27, 0.33 }),
   [](const auto& target) { return std::string(target.param.name); });
 
 TEST(FlowTargets, SizeAndPlaceDoNotMatter)
