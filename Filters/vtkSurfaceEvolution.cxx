@@ -260,10 +260,10 @@ std::unique_ptr<EvolutionOutput> vtkSurfaceEvolution::Solve(vtkPolyData* input, 
 {
   const bool isSplit = this->Remeshing != OFF && this->Remeshing != AUTOMATIC;
   this->Solved->Start = std::make_unique<EvolutionStart>(input, isSplit, execution.phase(0.0, 0.0));
-  const auto remeshing = this->RemeshingOptions();
+  auto remeshing = this->RemeshingOptions();
   if (remeshing)
   {
-    this->Solved->Start->TakeSliversOut();
+    remeshing->keepsStart = !this->Solved->Start->TakeSliversOut();
   }
   const auto start = this->Solved->Start->Mesh();
   std::shared_ptr<const evolving::ScalarImage> image;

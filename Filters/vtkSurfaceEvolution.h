@@ -434,8 +434,9 @@ public:
    * angle below 20 degrees (5 before sharp edges are rounded off), then there are uniform ones, as
    * good as can be at the end. Points, polygons and arrays of a time step are those of its
    * elements; the start is as it was, but without the slivers and nearly coincident points of a
-   * contour, and polygons are split into triangles (AUTOMATIC: when there are new elements). New
-   * points lie on the smooth surface that the evolved triangles stand for, so that nothing shrinks.
+   * contour (where there were any, the first step has new elements), and polygons are split into
+   * triangles (AUTOMATIC: when there are new elements). New points lie on the smooth surface that
+   * the evolved triangles stand for, so that nothing shrinks.
    * A boundary keeps its shape: its edges are split, and only points in a straight line vanish
    * (others, too, where it is FREE, or, at the start, where that moves it by less than a fiftieth
    * of the edges around). Creases are not kept as such. The genus stays, also where a neck has

@@ -160,7 +160,8 @@ bool SurfaceRemesher::hasStartElements(const SurfaceMesh& surface) const
 std::optional<SurfaceMesh> SurfaceRemesher::remesh(
   const RemeshingInput& input, const Execution& execution)
 {
-  const bool mayStay = !input.isLast || this->hasStartElements(input.surface);
+  const bool mayStay =
+    this->hasStartElements(input.surface) ? this->Options.keepsStart : !input.isLast;
   if (this->Options.onlyDegenerate && mayStay &&
     !hasDegenerateElements(
       input.surface, this->Options.boundaryMode, this->edgeLength(input.surface)))

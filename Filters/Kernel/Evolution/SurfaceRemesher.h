@@ -27,13 +27,14 @@ struct SurfaceRemeshingOptions
   double edgeLength = 0.0; ///< 0 = the mean of the start's; with onlyDegenerate as many as it has
   BoundaryMode boundaryMode = BoundaryMode::Fixed;
   bool onlyDegenerate = false; ///< the start's elements stay until hasDegenerateElements()
+  bool keepsStart = true;      ///< false: those are made anew at once, as they are nobody's choice
 };
 
 /// All of them: a new one does not compile before it is listed here.
 inline auto membersOf(const SurfaceRemeshingOptions& options)
 {
-  const auto& [sizing, edgeLength, boundaryMode, onlyDegenerate] = options;
-  return std::tie(sizing, edgeLength, boundaryMode, onlyDegenerate);
+  const auto& [sizing, edgeLength, boundaryMode, onlyDegenerate, keepsStart] = options;
+  return std::tie(sizing, edgeLength, boundaryMode, onlyDegenerate, keepsStart);
 }
 
 inline bool operator==(const SurfaceRemeshingOptions& a, const SurfaceRemeshingOptions& b)

@@ -4,7 +4,6 @@
 #include "Remeshing/SliverRemoval.h"
 
 #include "Remeshing/EdgeCollapsing.h"
-#include "Remeshing/EdgeFlipping.h"
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/FaceShape.h"
 
@@ -24,14 +23,14 @@ constexpr double SliverAngle = 20.0;
 /// An edge that collapses is shorter, relative to those around: what is longer is no near
 /// coincidence, and its triangle a matter of remeshing.
 constexpr double ShortEdge = 0.5;
-/// Relative to the edges around: by how much a boundary may move where a point of it vanishes. A
-/// contour's own boundary is a hundredth from the curve it stands for; with half of this, slivers
-/// are left at some.
-constexpr double BoundaryCut = 0.02;
+/// Relative to the edges around: by how much the surface and its boundary may move where a point
+/// vanishes. A contour's own boundary is a hundredth from the curve it stands for; with half of
+/// this, slivers are left at some.
+constexpr double DeepestCut = 0.02;
 /// Relative to the edges around: how long edges may become.
 constexpr double LongestEdge = 2.0;
-/// The cosine of 30 degrees: how far a vertex's faces, and the normals at an edge's ends, may be
-/// from one plane for the place to be smooth.
+/// The cosine of 30 degrees: how far a vertex's faces may be from one plane for it to have a
+/// normal.
 constexpr double SmoothCosine = 0.87;
 /// The cosine of 45 degrees: by how much a boundary turns at a corner.
 constexpr double StraightCosine = 0.7;
@@ -111,7 +110,7 @@ public:
     : Surface(mesh)
   {
     this->Limits.longest = LongestEdge;
-    this->Limits.deepestCut = BoundaryCut;
+    this->Limits.deepestCut = DeepestCut;
     this->Limits.leastQuality = 0.0; // a sliver that a collapse leaves is the next to go
     setLocalSizes(this->Surface);
     pinCorners(this->Surface);
@@ -123,7 +122,7 @@ public:
     bool hasChanged = false;
     for (int sweep = 0; sweep < MostSweeps && !this->slivers().empty(); ++sweep)
     {
-      const bool isChange = this->collapseShortEdges() | (flipForAngles(this->Surface) > 0);
+      const bool isChange = this->improveSlivers();
       hasChanged = hasChanged || isChange;
       if (!isChange)
       {
@@ -138,7 +137,14 @@ public:
 private:
   bool isSliver(Index face) const
   {
-    return this->Surface.hasFace(face) && smallestAngle(this->Surface, face) < SliverAngle;
+    return this->Surface.hasFace(face) &&
+      (smallestAngle(this->Surface, face) < SliverAngle || this->isSpeck(face));
+  }
+
+  /// Small as a whole, where slivers meet: well-shaped, but no triangle beside it can be.
+  bool isSpeck(Index face) const
+  {
+    return this->isShort(3 * face) && this->isShort(3 * face + 1) && this->isShort(3 * face + 2);
   }
 
   /// The worst first.
@@ -156,17 +162,47 @@ private:
     return faces;
   }
 
-  bool collapseShortEdges()
+  bool improveSlivers()
   {
     bool hasChanged = false;
     for (const auto& [angle, face] : this->slivers())
     {
       if (this->isSliver(face)) // still
       {
-        hasChanged = this->collapseAnEdge(face) || hasChanged;
+        hasChanged = this->collapseAnEdge(face) || this->flipCap(face) || hasChanged;
       }
     }
     return hasChanged;
+  }
+
+  /// A cap lies in the face beyond its longest edge, as flat as that.
+  bool flipCap(Index face)
+  {
+    const Index e = this->longestEdge(face);
+    const double height = this->Surface.doubleArea(face).norm() / this->Surface.length(e);
+    const Index o = this->Surface.opposite(e);
+    if (o == NoIndex || !this->Surface.canFlip(e) ||
+      height > DeepestCut * this->Surface.size(this->Surface.from(e), this->Surface.to(e)))
+    {
+      return false;
+    }
+    const Vec3& a = this->Surface.point(this->Surface.apex(e));
+    const Vec3& b = this->Surface.point(this->Surface.apex(o));
+    const auto angleAt = [&](Index v) { return smallestAngle(a, b, this->Surface.point(v)); };
+    const double after = std::min(angleAt(this->Surface.from(e)), angleAt(this->Surface.to(e)));
+    if (!(after > smallestAngle(this->Surface, face)))
+    {
+      return false;
+    }
+    this->Surface.flip(e);
+    return true;
+  }
+
+  Index longestEdge(Index face) const
+  {
+    const std::array<Index, 3> edges = { 3 * face, 3 * face + 1, 3 * face + 2 };
+    return *std::max_element(edges.begin(), edges.end(),
+      [this](Index e, Index f) { return this->Surface.length(e) < this->Surface.length(f); });
   }
 
   /// The shortest edge that may.
@@ -176,8 +212,9 @@ private:
     std::sort(edges.begin(), edges.end(),
       [this](Index e, Index f) { return this->Surface.length(e) < this->Surface.length(f); });
     return std::any_of(edges.begin(), edges.end(),
-      [this](Index e) {
-        return this->isShort(e) && this->isSmooth(e) &&
+      [this](Index e)
+      {
+        return this->isShort(e) && this->isSmooth(e) && this->isFlat(e) &&
           collapseEdge(this->Surface, e, this->Limits);
       });
   }
@@ -194,6 +231,17 @@ private:
     const Index to = this->Surface.to(e);
     return isSmoothAt(this->Surface, from) && isSmoothAt(this->Surface, to) &&
       this->Surface.normal(from).dot(this->Surface.normal(to)) >= SmoothCosine;
+  }
+
+  /// Over an edge between normals that differ by an angle a surface rises by about half the length
+  /// times the angle: so much a collapse takes away. Of a boundary the limits say what may go.
+  bool isFlat(Index e) const
+  {
+    const Index from = this->Surface.from(e);
+    const Index to = this->Surface.to(e);
+    const double turn = (this->Surface.normal(to) - this->Surface.normal(from)).norm();
+    return this->Surface.opposite(e) == NoIndex ||
+      0.5 * turn * this->Surface.length(e) <= DeepestCut * this->Surface.size(from, to);
   }
 
   EditableSurface Surface;

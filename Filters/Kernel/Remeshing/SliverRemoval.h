@@ -22,9 +22,8 @@ namespace evolving
  * the short edges of such triangles collapse and the long ones flip, which changes nothing farther
  * away than a few edges.
  *
- * - Only where the surface is smooth: thin plates and creases are no slivers and stay.
- * - Where a point of the boundary vanishes, it moves by a fiftieth of the edges around at most;
- *   corners stay.
+ * - Only where the surface, and its boundary, moves by no more than a fiftieth of the edges around:
+ *   thin plates, creases, corners and the short edges around a neck are no slivers and stay.
  * - A surface without slivers, and the elements of any size of a graded one, stay as they are.
  *
  * @param surface an oriented manifold of triangles, closed or with boundary

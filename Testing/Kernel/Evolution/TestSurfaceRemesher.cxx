@@ -269,6 +269,10 @@ TEST(SurfaceRemesher, MakesItsOwnElementsGoodAtTheEndAndKeepsTheStarts)
   const SurfaceMesh later = stretched(own);
   ASSERT_LT(smallestAngle(later), 35.0);
   EXPECT_FALSE(remesher.remesh({ later, later.points, {}, false }, {}).has_value());
+  onlyDegenerate.keepsStart = false;
+  SurfaceRemesher atOnce(start, onlyDegenerate);
+  EXPECT_TRUE(atOnce.remesh({ start, start.points, {}, false }, {}).has_value());
+  EXPECT_FALSE(atOnce.remesh({ later, later.points, {}, false }, {}).has_value());
   ASSERT_TRUE(atEnd(later).has_value());
   EXPECT_GT(smallestAngle(*atEnd(later)), 38.0);
 }

@@ -49,7 +49,7 @@ SurfaceMesh plate(double thickness)
 
 TEST(SliverRemoval, TakesNeedlesOutOfClosedSurfaces)
 {
-  for (const double part : { 1e-12, 1e-6, 0.01, 0.1 })
+  for (const double part : { 1e-12, 1e-6, 0.01, 0.05 })
   {
     for (const SurfaceMesh& good : { icosphere(3), shapes::torus(40, 20, 2.0, 0.7) })
     {
