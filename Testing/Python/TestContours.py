@@ -122,6 +122,7 @@ class Contours(unittest.TestCase):
         result = evened(evolution)
         self.assertLess(smallest_angles(contour.GetOutput()).min(), 1.0)
         self.expect_good(result, exact)
+        self.assertLess(normal_rms(result, exact), 3.0)
 
     def test_of_a_noisy_image_with_cells_that_are_no_cubes(self):
         exact = ellipsoid(np.array([16.0, 12.0, 10.0]))
@@ -163,6 +164,29 @@ class Contours(unittest.TestCase):
             self.assertEqual(messages, [])
             self.assertGreater(evolution.GetOutput().GetNumberOfPolys(), 1000)
             self.assertIsNone(evolution.GetOutput().GetFieldData().GetArray("Stopped"))
+
+    def test_keep_their_data(self):
+        image = image_of(sphere(8.0), (24, 24, 24), center=SHIFT)
+        height = image_of(lambda x: x[..., 2], (24, 24, 24), center=SHIFT)
+        height.GetPointData().GetScalars().SetName("Height")
+        image.GetPointData().AddArray(height.GetPointData().GetScalars())
+        contour = vtkContourFilter()             # interpolates every array, to the points' height
+        contour.SetInputData(image)
+        contour.SetValue(0, 0.0)
+        contour.Update()
+        evolution = evolution_of(contour)
+        evolution.SetInputDataObject(1, image)
+        for time in (0.0, 5.0, 150.0):
+            evolution.UpdateTimeStep(time)
+            result = evolution.GetOutput()
+            kept = vtk_to_numpy(result.GetPointData().GetArray("Height"))
+            self.assertLess(np.abs(kept - arrays_of(result)[0][:, 2]).max(), 0.3)
+            if time > 0.0:
+                self.assertGreater(smallest_angles(result).min(), 20.0)
+        evolution.UpdateTimeStep(0.0)
+        before, after = (np.count_nonzero(smallest_angles(source.GetOutput()) < 10.0)
+                         for source in (contour, evolution))
+        self.assertLess(after, 0.1 * before)   # what is left goes with the first step
 
     def test_that_are_good_already_do_not_become_worse(self):
         exact = ellipsoid(np.array([9.0, 7.0, 6.0]))

@@ -45,8 +45,8 @@ struct SurfaceRedistributionResult
  * the feature angle stay. A move is shortened, to zero if need be, when it would turn a corner of
  * an element over, or would make an element's smallest angle smaller than before and smaller than
  * 10 degrees; of such an element's vertices those yield whose own moves do it, all only where they
- * do it together. With the angle-based velocity switched on, no element's smallest angle gets smaller
- * than the surface's has become, unless that is above 40 degrees and stays there; if the
+ * do it together. With the angle-based velocity switched on, no element's smallest angle gets
+ * smaller than the surface's has become, unless that is above 40 degrees and stays there; if the
  * volume-based one is not, elements may pass through angles below 10 degrees otherwise.
  * @param surface an oriented manifold, closed or with boundary
  * @throws InputError for options out of range or a surface that cannot be used
