@@ -137,6 +137,22 @@ class Contours(unittest.TestCase):
         self.assertLess(smallest_angles(contour.GetOutput()).min(), 1.0)
         self.expect_good(result, exact)
 
+    def test_of_labels_have_no_steps(self):
+        for exact in (sphere(10.0), ellipsoid(np.array([16.0, 12.0, 10.0])), torus(11.0, 5.0)):
+            labels = image_of(lambda x: exact(x) < 0.0, (40, 36, 30), center=SHIFT)
+            contour = contour_of(labels, 0.5)
+            evolution = evolution_of(contour)
+            evolution.SetFlowToSurfaceDiffusion()
+            evolution.SetRemeshingToUniform()
+            evolution.RelativeUnitsOff()
+            evolution.SetCurvatureSpeed(1.0)
+            evolution.SetTimeStep(1.0)
+            evolution.SetNumberOfSteps(10)
+            result = evened(evolution)
+            self.assertGreater(normal_rms(contour.GetOutput(), exact), 20.0)
+            self.assertLess(normal_rms(result, exact), 3.0)
+            self.expect_good(result, exact)
+
     def test_that_ends_at_the_border_of_the_image(self):
         for height in (4.0, 8.0, 11.0):          # of the border over the centre
             exact = ellipsoid(np.array([16.0, 12.0, 14.0]))
