@@ -17,6 +17,7 @@
 #include "Distance/SignedDistance.h"
 #include "Distance/Sweeping/DistanceOctree.h"
 #include "Errors.h"
+#include "Evolution/FieldCheck.h"
 #include "Evolution/ScalarImage.h"
 #include "Evolution/StateSeries.h"
 #include "Evolution/SurfaceFlow.h"

@@ -270,6 +270,7 @@ std::unique_ptr<EvolutionOutput> vtkSurfaceEvolution::Solve(vtkPolyData* input, 
   if (field)
   {
     image = std::make_shared<const evolving::ScalarImage>(KernelBridge::ReadImage(field));
+    evolving::checkField(*image, *start, options.fieldMode);
   }
   std::shared_ptr<evolving::Remesher> remesher;
   if (remeshing)

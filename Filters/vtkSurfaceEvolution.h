@@ -24,9 +24,8 @@
  * the flow is pure mean curvature flow.
  *
  * A field that cannot attract the start is refused with a sentence that says what it is like: a
- * distance changes by about 1 per length near its zero level (to a factor of 2, in the middle), has
- * such a level or comes closer to zero than a cell, and samples along all three axes that the start
- * meets.
+ * distance changes by about 1 per length near its zero level (to a factor of 2), has such a level or
+ * comes closer to zero than a cell, and samples along all three axes, where the start is.
  *
  * Output 0 is the surface at a time step: t = 0 is the start, then every OutputInterval-th step,
  * the last one always. An update without a time gives the last step, the result. Times are

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <cstddef>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -19,8 +19,12 @@ namespace evolving
 namespace
 {
 
-/// What the gradient near the zero level may be off from 1, as a factor either way.
-constexpr double MostOff = 2.0;
+/// The gradients near the zero level: most are no larger, and some no smaller.
+constexpr double LargestGradient = 2.0;
+constexpr double SmallestGradient = 0.5;
+/// Parts of the samples there: differences cancel at all others where parts are thinner than cells.
+constexpr double Most = 0.5;
+constexpr double AllButSome = 0.9;
 /// In cells: where the gradient of an unsigned distance is looked at, beside its kink.
 constexpr double Nearest = 1.0;
 constexpr double Farthest = 3.0;
@@ -86,8 +90,8 @@ Values summarize(const std::vector<float>& values)
   return { *least, *largest, areTwo };
 }
 
-/// In the middle of the samples near the zero level; nothing when there are none.
-std::optional<double> middleGradient(const ScalarImage& field, bool isSigned)
+/// Of the samples near the zero level.
+std::vector<double> gradientsNearZero(const ScalarImage& field, bool isSigned)
 {
   const double cell = field.grid().spacing.maxCoeff();
   std::vector<double> gradients;
@@ -101,13 +105,20 @@ std::optional<double> middleGradient(const ScalarImage& field, bool isSigned)
         gradients.push_back(field.gradientAtSample(i, j, k).norm());
       }
     });
-  if (gradients.empty())
+  return gradients;
+}
+
+/// The value that a part of all are below; zero when there are none.
+double quantile(std::vector<double>& values, double part)
+{
+  if (values.empty())
   {
-    return std::nullopt;
+    return 0.0;
   }
-  const auto middle = gradients.begin() + static_cast<std::ptrdiff_t>(gradients.size() / 2);
-  std::nth_element(gradients.begin(), middle, gradients.end());
-  return *middle;
+  const auto place =
+    values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
 }
 
 } // namespace
@@ -156,12 +167,22 @@ void checkDistance(const ScalarImage& field)
       "or ",
       WhatToDo, ".");
   }
-  const std::optional<double> gradient = middleGradient(field, isSigned);
-  if (!gradient || !(*gradient >= 1.0 / MostOff && *gradient <= MostOff))
+  std::vector<double> gradients = gradientsNearZero(field, isSigned);
+  const double middle = quantile(gradients, Most);
+  if (middle > LargestGradient || quantile(gradients, AllButSome) < SmallestGradient)
   {
-    refuse("The field changes by ", gradient.value_or(0.0),
+    refuse("The field changes by ", middle,
       " per length near its zero level, expected a signed distance, which changes by 1; ", WhatToDo,
       ".");
+  }
+}
+
+void checkField(const ScalarImage& field, const SurfaceMesh& start, FieldMode mode)
+{
+  checkFieldPlace(field, start);
+  if (mode == FieldMode::DistanceField)
+  {
+    checkDistance(field);
   }
 }
 

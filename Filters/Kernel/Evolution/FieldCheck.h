@@ -9,6 +9,7 @@
 #ifndef EVOLVING_FIELD_CHECK_H
 #define EVOLVING_FIELD_CHECK_H
 
+#include "Evolution/FlowOptions.h"
 #include "Evolution/ScalarImage.h"
 #include "Mesh/SurfaceMesh.h"
 
@@ -24,11 +25,15 @@ void checkFieldPlace(const ScalarImage& field, const SurfaceMesh& start);
 /**
  * A distance has a zero level, or comes closer to zero than a cell if it is unsigned, and changes
  * by about 1 per length there: labels, intensities and implicit functions do not. Far from the
- * level it may be anything, as a narrow band is; in the middle of the samples near it the gradient
- * must be between a half and two, so that noise, smoothing and parts thinner than a cell pass.
+ * level it may be anything, as a narrow band is. Of the samples near it at least a tenth must have
+ * a gradient of a half, as parts thinner than a cell, where differences cancel, still do, and half
+ * of them none above two, as noise of half a cell still does.
  * @throws InputError that says what the field is like and what to do
  */
 void checkDistance(const ScalarImage& field);
+
+/// Both, the second where the image is to be a distance. @throws InputError
+void checkField(const ScalarImage& field, const SurfaceMesh& start, FieldMode mode);
 
 } // namespace evolving
 

@@ -5,7 +5,6 @@
 
 #include "Errors.h"
 #include "Evolution/AutomaticTimeStep.h"
-#include "Evolution/FieldCheck.h"
 #include "Mesh/TopologySummary.h"
 
 #include <algorithm>
@@ -101,14 +100,6 @@ FlowSetup setUpFlow(const SurfaceMesh& start, const ScalarImage* field, const Fl
   checkOptions(options);
   checkStart(start);
   checkFlow(start, field, options);
-  if (field)
-  {
-    checkFieldPlace(*field, start);
-  }
-  if (field && options.fieldMode == FieldMode::DistanceField)
-  {
-    checkDistance(*field);
-  }
   FlowSetup setup;
   setup.size = sizeOf(start, field, options.fieldMode);
   setup.lengthUnit = options.relativeUnits ? setup.size : 1.0;

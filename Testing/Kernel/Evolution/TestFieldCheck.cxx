@@ -5,7 +5,6 @@
 
 #include "Checks/Refusal.h"
 #include "Evolution/EvolutionFields.h"
-#include "Evolution/FlowSetup.h"
 #include "Shapes/MeshVariants.h"
 #include "Shapes/SampledOnGrid.h"
 #include "StartSurface/PrimitiveSurfaces.h"
@@ -17,6 +16,8 @@
 #include <functional>
 #include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace evolving;
 
@@ -113,12 +114,35 @@ TEST(FieldCheck, SaysWhereAFieldIsOfNoUse)
     "17 x 17 x 1");
 }
 
-TEST(FieldCheck, ComesBeforeAFlow)
+TEST(FieldCheck, LetsImagesBeImages)
 {
   const auto labels = shapes::image(
     shapes::cubicGrid(17, 1.6), [](const Vec3& p) { return ball(p) < 0.0 ? 1.0 : 0.0; });
-  FlowOptions options;
-  expectSaid(checks::refusalOf([&] { setUpFlow(icosphere(2), labels.get(), options); }), "0 and 1");
-  options.fieldMode = FieldMode::EdgeDetector; // it is an image then
-  EXPECT_EQ(checks::refusalOf([&] { setUpFlow(icosphere(2), labels.get(), options); }), "");
+  const auto saidAs = [&](FieldMode mode)
+  { return checks::refusalOf([&] { checkField(*labels, icosphere(2), mode); }); };
+  expectSaid(saidAs(FieldMode::DistanceField), "0 and 1");
+  EXPECT_EQ(saidAs(FieldMode::EdgeDetector), "");
+}
+
+TEST(FieldCheck, LetsPartsPassThatAreThinnerThanACell)
+{
+  // Rods of many directions, around which nearly all differences cancel.
+  std::mt19937 random(3);
+  std::vector<std::pair<Vec3, Vec3>> rods;
+  for (int k = 0; k < 30; ++k)
+  {
+    rods.emplace_back(shapes::randomPoint(random), shapes::randomPoint(random));
+  }
+  EXPECT_EQ(saidOf(
+              [&](const Vec3& p)
+              {
+                double least = 1e300;
+                for (const auto& [a, b] : rods)
+                {
+                  const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+                  least = std::min(least, (p - a - t * (b - a)).norm());
+                }
+                return least - 0.04;
+              }),
+    "");
 }
