@@ -21,10 +21,11 @@ def icosphere(radius=1.0):
     return source.GetOutput()
 
 
-def image(value):
+def image(level):
+    """The distance from a plane."""
     data = vtkImageData()
     data.SetDimensions(5, 5, 5)
-    scalars = numpy_to_vtk(numpy.full(125, value), deep=True)
+    scalars = numpy_to_vtk(numpy.tile(numpy.arange(5.0) - level, 25), deep=True)
     scalars.SetName("Field")
     data.GetPointData().SetScalars(scalars)
     return data
