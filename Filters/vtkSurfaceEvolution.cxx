@@ -91,6 +91,7 @@ evolving::FlowOptions vtkSurfaceEvolution::Options() const
   options.relativeUnits = this->RelativeUnits;
   options.fieldMode = static_cast<evolving::FieldMode>(this->FieldMode);
   options.edgeSharpness = this->EdgeSharpness;
+  options.normalSpeed = this->NormalSpeed;
   options.redistribution.volume = this->VolumeRedistribution;
   options.redistribution.angle = this->AngleRedistribution;
   options.redistribution.length = this->LengthRedistribution;
@@ -251,6 +252,10 @@ void vtkSurfaceEvolution::WriteState(
     });
   CarriedArrays::RenewNormals(input, output);
   KernelBridge::AddFieldValue(output, "TimeStep", cache.Series->Flow().timeStep());
+  if (const double sharpness = cache.Series->Flow().edgeSharpness())
+  {
+    KernelBridge::AddFieldValue(output, "EdgeSharpness", sharpness);
+  }
   TimeSteps::Mark(output, times[step]);
 }
 
@@ -322,6 +327,7 @@ void vtkSurfaceEvolution::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RelativeUnits: " << this->RelativeUnits << "\n";
   os << indent << "FieldMode: " << this->FieldMode << "\n";
   os << indent << "EdgeSharpness: " << this->EdgeSharpness << "\n";
+  os << indent << "NormalSpeed: " << this->NormalSpeed << "\n";
   os << indent << "VolumeRedistribution: " << this->VolumeRedistribution << "\n";
   os << indent << "AngleRedistribution: " << this->AngleRedistribution << "\n";
   os << indent << "LengthRedistribution: " << this->LengthRedistribution << "\n";

@@ -34,7 +34,8 @@
  * order in which times are asked for. Point arrays: SignedDistance, DistanceGradient (with a
  * field), Normals, MeanCurvature, CoVolume, NormalVelocity, TangentialVelocity,
  * RedistributionPotential; at the boundary MeanCurvature contains the pull along the surface. Field
- * data: Iteration, Time, TimeStep, Area, Volume, MeanDistance, MaxDistance, MinAngle; and, where
+ * data: Iteration, Time, TimeStep, Area, Volume, MeanDistance, MaxDistance, MinAngle; EdgeSharpness
+ * of an IMAGE; and, where
  * that happened, Stopped, the step after which the flow could not go on, ExtinctionTime, or
  * StepsWithoutRedistribution, the number of steps in which elements were so degenerate that the
  * volume-based redistribution could not be computed.
@@ -113,7 +114,8 @@ public:
   enum
   {
     DISTANCE_FIELD = 0,
-    EDGE_DETECTOR = 1
+    IMAGE = 1,
+    EDGE_IMAGE = 2
   };
 
   /// Values of AngleMethod.
@@ -174,7 +176,7 @@ public:
    * lead as far as one wants to see: without a field half of what a sphere-like surface takes to
    * shrink to a point (with a boundary, until the minimal surface is reached), with a distance
    * field until a thousandth of the distance is left, where volumes are held until a thousandth of
-   * what differs from a ball is left, with an edge detector until the start itself
+   * what differs from a ball is left, with an image until the start itself
    * would have vanished. The value is in the field data, TimeStep. The range is 0 to 1e12.
    */
   vtkSetClampMacro(TimeStep, double, 0.0, 1e12);
@@ -273,24 +275,44 @@ public:
 
   ///@{
   /**
-   * What the image is: DISTANCE_FIELD (the default), or EDGE_DETECTOR: an intensity I whose edges
-   * attract the surface by v_N = b e Laplace F - a (grad e . N) N, e = 1 / (1 + K |grad I|^2)
-   * (section 3.2). Where the image is uniform only curvature moves the surface, inwards: start
-   * around the objects, not inside them.
+   * What the image is: DISTANCE_FIELD (the default); IMAGE, an intensity I whose edges attract the
+   * surface by v_N = b e Laplace F - a (grad e . N) N + s e N, e = 1 / (1 + K |grad I|^2) (section
+   * 3.2), with NormalSpeed s; or EDGE_IMAGE, e itself: 1 where there is no edge, near 0 at edges.
+   * Where the image is uniform curvature moves the surface, inwards: start around the objects, or
+   * inside them with a NormalSpeed.
    */
-  vtkSetClampMacro(FieldMode, int, DISTANCE_FIELD, EDGE_DETECTOR);
+  vtkSetClampMacro(FieldMode, int, DISTANCE_FIELD, EDGE_IMAGE);
   vtkGetMacro(FieldMode, int);
   void SetFieldModeToDistanceField() { this->SetFieldMode(DISTANCE_FIELD); }
-  void SetFieldModeToEdgeDetector() { this->SetFieldMode(EDGE_DETECTOR); }
+  void SetFieldModeToImage() { this->SetFieldMode(IMAGE); }
+  void SetFieldModeToEdgeImage() { this->SetFieldMode(EDGE_IMAGE); }
   ///@}
 
   ///@{
   /**
-   * K of the edge detector, in (length/intensity)^2; 0 when the image is e itself. The default
-   * is 0, the range 0 and above.
+   * K of an IMAGE, in (length/intensity)^2 (times L^2 in relative units). 0, the default, is an
+   * automatic one, from the gradients of the image: e is 0.1 at a typical edge and 1 where
+   * gradients are no larger than those of noise, n; the image is smoothed by 0.8 samples before,
+   * and e = 1 / (1 + K max(0, |grad I|^2 - n^2)). An image without edges that stand out is refused.
+   * With a value above 0 e is as FieldMode says, of the image as it is. The value used is in the
+   * field data, EdgeSharpness. The range is 0 and above.
    */
   vtkSetClampMacro(EdgeSharpness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(EdgeSharpness, double);
+  ///@}
+
+  ///@{
+  /**
+   * s, the speed along the normal in an IMAGE or EDGE_IMAGE, in length/time (L/time in relative
+   * units): outwards above 0, as a balloon that a seed inside an object is blown up to its border
+   * with, inwards below 0. It is weighted by e, and beyond the image there is none outwards. It
+   * should be above 2 b / r, the speed by curvature, for a seed of radius r to grow, or for one to
+   * grow through a neck half as wide: 1 is good for most in relative units, where L is the seed's.
+   * With it the automatic time step is the one for a cell a step. 0, the default, switches the term
+   * off; any number is allowed.
+   */
+  vtkSetClampMacro(NormalSpeed, double, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
+  vtkGetMacro(NormalSpeed, double);
   ///@}
 
   ///@{
@@ -553,6 +575,7 @@ private:
   bool RelativeUnits = true;
   int FieldMode = DISTANCE_FIELD;
   double EdgeSharpness = 0.0;
+  double NormalSpeed = 0.0;
   double VolumeRedistribution = 0.0;
   double AngleRedistribution = 0.0;
   double LengthRedistribution = 0.0;

@@ -81,7 +81,7 @@ start = vtkAppendPolyData()
 for sphere in spheres:
     start.AddInputConnection(sphere.GetOutputPort())
 flow = evolution(start, smooth, TimeStep=0.5, NumberOfSteps=150, RelativeUnits=False,
-                 FieldMode=es.vtkSurfaceEvolution.EDGE_DETECTOR, EdgeSharpness=250.0,
+                 FieldMode=es.vtkSurfaceEvolution.IMAGE, EdgeSharpness=250.0,
                  CurvatureSpeed=1.0, AdvectionSpeed=4.0, VolumeRedistribution=0.5)
 result = copy_of(flow)
 

@@ -49,7 +49,7 @@ void Evolve(vtkSurfaceEvolution* filter, vtkPolyData* start, vtkImageData* image
   SetUpAttraction(filter, start);
   filter->SetInputData(1, image);
   filter->SetFieldMode(mode);
-  filter->SetEdgeSharpness(mode == vtkSurfaceEvolution::EDGE_DETECTOR ? 1.0 : 0.0);
+  filter->SetEdgeSharpness(mode == vtkSurfaceEvolution::IMAGE ? 1.0 : 0.0);
   filter->SetNumberOfSteps(10);
   filter->Update();
   EXPECT_TRUE(log.Errors.empty()) << log.Errors.front();
@@ -65,7 +65,7 @@ Sample::Point QuarterTurn(const Sample::Point& p)
 //------------------------------------------------------------------------------
 TEST(TurnedImage, ItsDirectionMatrixTurnsTheResult)
 {
-  for (const int mode : { vtkSurfaceEvolution::DISTANCE_FIELD, vtkSurfaceEvolution::EDGE_DETECTOR })
+  for (const int mode : { vtkSurfaceEvolution::DISTANCE_FIELD, vtkSurfaceEvolution::IMAGE })
   {
     const auto start = Sample::Icosphere(2, 1.5);
     vtkNew<vtkSurfaceEvolution> straight;

@@ -147,7 +147,7 @@ class Inputs(unittest.TestCase):
                         self.check_input(name, 0, cases.cap, change)
 
     def test_another_image_gives_what_a_fresh_filter_gives(self):
-        for settings in ({}, {"FieldMode": es.vtkSurfaceEvolution.EDGE_DETECTOR}):
+        for settings in ({}, {"FieldMode": es.vtkSurfaceEvolution.EDGE_IMAGE}):
             for label, change in IMAGE_CHANGES.items():
                 with self.subTest(label, **settings):
                     self.check_input("vtkSurfaceEvolution", 1, cases.sphere_image, change,

@@ -46,6 +46,20 @@ def closed():
     return source.GetOutput()
 
 
+def ball_image(n=13, size=2.0, radius=1.0):
+    """Intensities of a ball, a little blurred."""
+    image = vtkImageData()
+    image.SetDimensions(n, n, n)
+    image.SetOrigin(3 * (-size,))
+    image.SetSpacing(3 * (2.0 * size / (n - 1),))
+    array = vtkDoubleArray()
+    array.SetName("Intensity")
+    for i in range(image.GetNumberOfPoints()):
+        array.InsertNextValue(math.tanh(5.0 * (radius - math.hypot(*image.GetPoint(i)))))
+    image.GetPointData().SetScalars(array)
+    return image
+
+
 # Another value, and what must be beside it to count.
 OTHER_VALUES = {
     "vtkMeshSDF": {
@@ -85,8 +99,9 @@ OTHER_VALUES = {
         "Flow": (E.SURFACE_DIFFUSION, {**FREE, "InputDataObject": (0, closed())}),
         "VolumePreserving": (True, FREE), "CurvatureSpeed": (0.1, {}), "CurvatureRange": (0.5, {}), "AdvectionSpeed": (0.5, {}),
         "AdvectionBalance": (0.5, {}), "RelativeUnits": (False, {}),
-        "FieldMode": (E.EDGE_DETECTOR, {}),
-        "EdgeSharpness": (1.0, {"FieldMode": E.EDGE_DETECTOR}),
+        "FieldMode": (E.EDGE_IMAGE, {}),
+        "EdgeSharpness": (1.0, {"FieldMode": E.IMAGE, "InputDataObject": (1, ball_image())}),
+        "NormalSpeed": (0.5, {"FieldMode": E.EDGE_IMAGE}),
         "VolumeRedistribution": (1.0, {}), "AngleRedistribution": (1.0, {}),
         "LengthRedistribution": (1.0, {}),
         "AngleMethod": (E.SHAPE, {"AngleRedistribution": 1.0}),

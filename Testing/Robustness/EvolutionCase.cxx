@@ -191,8 +191,10 @@ private:
     filter->SetAdvectionSpeed(draw.rate("AdvectionSpeed", 0.9, 0.1, 3.0));
     filter->SetAdvectionBalance(draw.rate("AdvectionBalance", 0.3, 0.1, 1.0));
     filter->SetRelativeUnits(random.chance(0.8));
-    filter->SetFieldMode(random.chance(0.2) ? 1 : 0);
+    filter->SetFieldMode(random.chance(0.2) ? random.integer(1, 2) : 0);
     filter->SetEdgeSharpness(draw.rate("EdgeSharpness", 0.5, 1e-2, 100.0));
+    filter->SetNormalSpeed(
+      (random.chance(0.5) ? 1.0 : -1.0) * draw.rate("NormalSpeed", 0.5, 0.1, 3.0));
     filter->SetBoundaryMode(random.integer(0, 2));
     filter->SetSurfaceGuard(draw.number("SurfaceGuard", random.real(1.0, 4.0)));
     filter->SetConvergenceTolerance(draw.rate("ConvergenceTolerance", 0.2, 1e-4, 0.1));

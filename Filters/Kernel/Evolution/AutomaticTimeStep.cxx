@@ -32,29 +32,34 @@ double timeOfCurvature(const SurfaceMesh& start, const FlowOptions& options)
                                   : timeOfVisibleChange(start);
 }
 
-double totalTime(const SurfaceMesh& start, bool hasField, const FlowOptions& options, double size)
+double totalTime(
+  const SurfaceMesh& start, const ScalarImage* field, const FlowOptions& options, double size)
 {
-  const bool isDistance = hasField && options.fieldMode == FieldMode::DistanceField;
+  const bool isDistance = field && options.fieldMode == FieldMode::DistanceField;
   if (isDistance && options.advectionSpeed > 0.0)
   {
     return -std::log(DistanceLeft) / options.advectionSpeed;
   }
   if (options.curvatureSpeed > 0.0)
   {
-    const double lives = hasField && !isDistance ? 2.0 : 1.0;
+    const double lives = field && !isDistance ? 2.0 : 1.0;
     return lives * timeOfCurvature(start, options) / options.curvatureSpeed;
   }
-  return hasField && options.advectionSpeed > 0.0 ? size * size / options.advectionSpeed : 1.0;
+  return field && options.advectionSpeed > 0.0 ? size * size / options.advectionSpeed : 1.0;
 }
 
 } // namespace
 
 double automaticTimeStep(
-  const SurfaceMesh& start, bool hasField, const FlowOptions& options, double size)
+  const SurfaceMesh& start, const ScalarImage* field, const FlowOptions& options, double size)
 {
   const int steps = options.numberOfSteps > 0 ? options.numberOfSteps : UsualSteps;
+  const bool isBalloon = field && hasEdges(options.fieldMode) && options.normalSpeed != 0.0;
+  const double timeStep = isBalloon
+    ? field->grid().spacing.minCoeff() / std::abs(options.normalSpeed)
+    : totalTime(start, field, options, size) / steps;
   // Speeds may be next to nothing, or as good as infinite.
-  return std::clamp(totalTime(start, hasField, options, size) / steps, AboveZero, LongestTimeStep);
+  return std::clamp(timeStep, AboveZero, LongestTimeStep);
 }
 
 } // namespace evolving

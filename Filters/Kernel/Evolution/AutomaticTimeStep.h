@@ -10,6 +10,7 @@
 #define EVOLVING_AUTOMATIC_TIME_STEP_H
 
 #include "Evolution/FlowOptions.h"
+#include "Evolution/ScalarImage.h"
 #include "Mesh/SurfaceMesh.h"
 
 namespace evolving
@@ -23,17 +24,19 @@ namespace evolving
  * - Distance field: the advection leaves exp(-C T) of a distance; a thousandth in all, which no eye
  *   sees.
  * - Edge detector: twice timeOfVisibleChange(), the life of the start, for curvature alone leads a
- *   surface to edges far away.
+ *   surface to edges far away; with a normal speed, a cell a step, which is the most
+ * (ControlField).
  *
  * Where the term that counts is off, the other one's time; where both are, any.
  *
+ * @param field may be null
  * @param options in absolute units
  * @param size L
  * @return above 0
  * @throws InputError as MeshTopology
  */
 double automaticTimeStep(
-  const SurfaceMesh& start, bool hasField, const FlowOptions& options, double size);
+  const SurfaceMesh& start, const ScalarImage* field, const FlowOptions& options, double size);
 
 } // namespace evolving
 

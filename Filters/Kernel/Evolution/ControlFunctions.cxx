@@ -3,7 +3,7 @@
 
 #include "Evolution/ControlFunctions.h"
 
-#include "Evolution/EdgeDetector.h"
+#include "Evolution/AutomaticEdgeDetector.h"
 #include "ParallelLoops.h"
 
 #include <algorithm>
@@ -18,6 +18,16 @@ namespace
 
 /// Gradients shorter than this have no direction.
 constexpr double SmallestGradient = 1e-6;
+
+EdgeDetector edgesOf(const ScalarImage& image, double sharpness, const Execution& execution)
+{
+  if (sharpness == 0.0)
+  {
+    return automaticEdgeDetector(image, execution);
+  }
+  return { std::make_shared<const ScalarImage>(edgeDetector(image, sharpness, execution)),
+    sharpness, 0.0 };
+}
 
 Vec3 direction(const Vec3& gradient)
 {
@@ -53,10 +63,11 @@ ControlField::ControlField(
   {
     return;
   }
-  if (options.fieldMode == FieldMode::EdgeDetector && options.edgeSharpness > 0.0)
+  if (options.fieldMode == FieldMode::Image)
   {
-    this->Field = std::make_shared<const ScalarImage>(
-      edgeDetector(*this->Field, options.edgeSharpness, execution));
+    const EdgeDetector edges = edgesOf(*this->Field, options.edgeSharpness, execution);
+    this->Field = edges.e;
+    this->EdgeSharpness = edges.sharpness;
   }
   this->NearTarget = options.unsignedField ? 2.0 * this->Field->grid().spacing.maxCoeff() : 0.0;
 }
@@ -69,14 +80,14 @@ ControlValues ControlField::sampleField(
   values.eta.assign(points.size(), 0.0);
   if (this->Field)
   {
-    const bool isEdgeDetector = this->Options.fieldMode == FieldMode::EdgeDetector;
+    const bool isEdgeDetector = hasEdges(this->Options.fieldMode);
     values.value.resize(points.size());
     values.gradient.resize(points.size());
     forEachIndex(execution, static_cast<std::int64_t>(points.size()),
       [&](Index i)
       {
         const ScalarImage::Sample sample = isEdgeDetector
-          ? sampleEdgeDetector(*this->Field, points[at(i)])
+          ? static_cast<ScalarImage::Sample>(sampleEdgeDetector(*this->Field, points[at(i)]))
           : this->Field->at(points[at(i)]);
         values.value[at(i)] = sample.value;
         values.gradient[at(i)] = sample.gradient;
@@ -93,6 +104,24 @@ double ControlField::etaOfDistance(double distance, const Vec3& gradient, const 
   return advectionControl(distance, slope, this->Options.advectionSpeed, balance);
 }
 
+double ControlField::etaOfEdges(const Vec3& point, const Vec3& normal) const
+{
+  const EdgeSample sample = sampleEdgeDetector(*this->Field, point);
+  const double speed = this->Options.normalSpeed;
+  const double balloon = sample.isOutside && speed > 0.0 ? 0.0 : speed * sample.value;
+  return balloon - this->Options.advectionSpeed * sample.gradient.dot(normal);
+}
+
+/// By a difference over one cell: eta is linear in it.
+double ControlField::stiffnessOfEdges(const Vec3& point, const Vec3& normal) const
+{
+  const double cell = this->Field->grid().spacing.minCoeff();
+  const Vec3 half = 0.5 * cell * normal;
+  const double change =
+    this->etaOfEdges(point + half, normal) - this->etaOfEdges(point - half, normal);
+  return std::max(0.0, -change / cell);
+}
+
 ControlValues ControlField::evaluate(const std::vector<Vec3>& points,
   const std::vector<Vec3>& normals, const Execution& execution) const
 {
@@ -102,16 +131,19 @@ ControlValues ControlField::evaluate(const std::vector<Vec3>& points,
     return values;
   }
   const FlowOptions& o = this->Options;
+  const bool isEdgeDetector = hasEdges(o.fieldMode);
+  values.stiffness.resize(isEdgeDetector ? points.size() : 0);
   forEachIndex(execution, static_cast<std::int64_t>(points.size()),
     [&](Index i)
     {
       const double value = values.value[at(i)];
       const Vec3 gradient = values.gradient[at(i)];
       values.gradient[at(i)] = direction(gradient);
-      if (o.fieldMode == FieldMode::EdgeDetector)
+      if (isEdgeDetector)
       {
         values.epsilon[at(i)] = std::max(0.0, o.curvatureSpeed * value);
-        values.eta[at(i)] = -o.advectionSpeed * gradient.dot(normals[at(i)]);
+        values.eta[at(i)] = this->etaOfEdges(points[at(i)], normals[at(i)]);
+        values.stiffness[at(i)] = this->stiffnessOfEdges(points[at(i)], normals[at(i)]);
       }
       else
       {
@@ -142,13 +174,15 @@ std::vector<double> ControlField::valuesAt(
 
 void ControlField::limitAdvection(double timeStep, ControlValues& values) const
 {
-  if (this->Field && this->Options.fieldMode == FieldMode::EdgeDetector)
+  if (!this->Field || !hasEdges(this->Options.fieldMode))
   {
-    const double fastest = this->Field->grid().spacing.minCoeff() / timeStep;
-    for (double& eta : values.eta)
-    {
-      eta = std::clamp(eta, -fastest, fastest);
-    }
+    return;
+  }
+  const double cell = this->Field->grid().spacing.minCoeff();
+  for (std::size_t i = 0; i < values.eta.size(); ++i)
+  {
+    const double fastest = cell / timeStep + cell * values.stiffness[i];
+    values.eta[i] = std::clamp(values.eta[i], -fastest, fastest);
   }
 }
 

@@ -41,6 +41,9 @@ struct ControlValues
   std::vector<Vec3> gradient; ///< of the field, unit length or zero; empty without one
   std::vector<double> epsilon;
   std::vector<double> eta;
+  /// -d eta / d N where that is above 0, of an edge detector; empty for other fields. See
+  /// StepInput.
+  std::vector<double> stiffness;
 };
 
 /**
@@ -48,18 +51,19 @@ struct ControlValues
  *
  * Distance field: (3.7) and (3.8); where the gradient is shorter than 1e-6, -grad d . N = 0. An
  * unsigned field has D = 0 within two cells of the target, where its gradient turns round.
- * Edge detector: epsilon = b e, eta = -a grad e . N: e is smallest at an edge, so this sign draws
- * the surface there; section 3.2 prints the other one, which drives it away (measured).
- * No field: epsilon = C1, eta = 0.
+ * Edge detector: epsilon = b e, eta = -a grad e . N + s e: e is smallest at an edge, so this sign
+ * of a draws the surface there; section 3.2 prints the other one, which drives it away (measured).
+ * s is the speed of a balloon (Cohen 1991; Caselles, Kimmel, Sapiro 1997): it takes a surface to
+ * edges that are too far to be felt, and ends where the image does: outwards it is 0 there. No
+ * field: epsilon = C1, eta = 0.
  */
 class ControlField
 {
 public:
   /**
-   * @param field null for mean curvature flow; in the edge detector mode the image I, or e
-   * itself when options.edgeSharpness is 0
+   * @param field null for mean curvature flow
    * @param options in absolute units
-   * @throws Cancelled
+   * @throws InputError as automaticEdgeDetector(). @throws Cancelled
    */
   ControlField(std::shared_ptr<const ScalarImage> field, const FlowOptions& options,
     const Execution& execution = {});
@@ -74,18 +78,24 @@ public:
   /// The field's values at points; empty without one.
   std::vector<double> valuesAt(const std::vector<Vec3>& points, const Execution& execution) const;
 
+  /// Of FieldMode::Image: as the options say, or the automatic one; else 0. In absolute units.
+  double edgeSharpness() const { return this->EdgeSharpness; }
+
   /**
-   * Limits eta of an edge detector to one cell per step: a longer one jumps over edges. That of
-   * a distance field is bounded by the distance, see ExplicitLimits.
+   * Limits the move by eta of an edge detector to one cell per step: a longer one jumps over
+   * edges. That of a distance field is bounded by the distance, see ExplicitLimits.
    */
   void limitAdvection(double timeStep, ControlValues& values) const;
 
 private:
   ControlValues sampleField(const std::vector<Vec3>& points, const Execution& execution) const;
   double etaOfDistance(double distance, const Vec3& gradient, const Vec3& normal) const;
+  double etaOfEdges(const Vec3& point, const Vec3& normal) const;
+  double stiffnessOfEdges(const Vec3& point, const Vec3& normal) const;
 
   std::shared_ptr<const ScalarImage> Field;
   FlowOptions Options;
+  double EdgeSharpness = 0.0;
   double NearTarget = 0.0; ///< |d| below which an unsigned field has D = 0
 };
 

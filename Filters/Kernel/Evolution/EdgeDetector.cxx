@@ -33,20 +33,21 @@ ScalarImage edgeDetector(const ScalarImage& image, double sharpness, const Execu
   return ScalarImage(grid, std::move(e), image.axes());
 }
 
-ScalarImage::Sample sampleEdgeDetector(const ScalarImage& e, const Vec3& point)
+EdgeSample sampleEdgeDetector(const ScalarImage& e, const Vec3& point)
 {
   const DistanceGrid& grid = e.grid();
   const Vec3 low = grid.point(grid.extent[0], grid.extent[2], grid.extent[4]);
   const Vec3 high = grid.point(grid.extent[1], grid.extent[3], grid.extent[5]);
   const Vec3 own = e.axes().pointFromWorld(point);
   const Vec3 closest = own.cwiseMax(low).cwiseMin(high);
-  ScalarImage::Sample sample = e.atOwnPoint(closest);
+  EdgeSample sample{ e.atOwnPoint(closest) };
   for (Eigen::Index axis = 0; axis < 3; ++axis)
   {
     // An axis of one sample has no outside.
     if (low[axis] != high[axis] && closest[axis] != own[axis])
     {
       sample.gradient.setZero();
+      sample.isOutside = true;
     }
   }
   sample.gradient = e.axes().vectorToWorld(sample.gradient);

@@ -12,8 +12,18 @@
 #include "Evolution/ScalarImage.h"
 #include "Execution.h"
 
+#include <memory>
+
 namespace evolving
 {
+
+/// What was made of an image I.
+struct EdgeDetector
+{
+  std::shared_ptr<const ScalarImage> e;
+  double sharpness = 0.0; ///< K, length^2 / intensity^2
+  double noise = 0.0;     ///< n, intensity / length, see automaticEdgeDetector()
+};
 
 /**
  * e = 1 / (1 + K |grad I|^2) at the samples of the image I: 1 where I is constant, near 0 at
@@ -24,11 +34,16 @@ namespace evolving
 ScalarImage edgeDetector(
   const ScalarImage& image, double sharpness, const Execution& execution = {});
 
+struct EdgeSample : ScalarImage::Sample
+{
+  bool isOutside = false; ///< of the image
+};
+
 /**
  * e and its gradient at a point. Outside the image there are no edges to see: e of the closest
  * point of the image, and no gradient.
  */
-ScalarImage::Sample sampleEdgeDetector(const ScalarImage& e, const Vec3& point);
+EdgeSample sampleEdgeDetector(const ScalarImage& e, const Vec3& point);
 
 } // namespace evolving
 

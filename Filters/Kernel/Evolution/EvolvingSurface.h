@@ -73,6 +73,8 @@ public:
    */
   bool remesh(bool isLast, const Execution& execution);
 
+  /// As ControlField::edgeSharpness().
+  double edgeSharpness() const { return this->Field->edgeSharpness(); }
   /// As SurfacePosition has it.
   bool isRedistributed() const { return this->Motion->isRedistributed(); }
   /// Since the last reset.

@@ -22,7 +22,8 @@ void checkOptions(const FlowOptions& options)
   checkRange("CurvatureRange", o.curvatureRange, AboveZero, AnyNumber, "set 0.1 when in doubt");
   checkRange("AdvectionSpeed", o.advectionSpeed, 0.0, AnyNumber, "0 switches this term off");
   checkRange("AdvectionBalance", o.advectionBalance, 0.0, 1.0, "0 switches this term off");
-  checkRange("EdgeSharpness", o.edgeSharpness, 0.0, AnyNumber, "0 takes the image as it is");
+  checkRange("EdgeSharpness", o.edgeSharpness, 0.0, AnyNumber, "0 means an automatic one");
+  checkRange("NormalSpeed", o.normalSpeed, -AnyNumber, AnyNumber, "0 switches this term off");
   checkRange("SmoothingSteps", o.smoothingSteps, 0.0, AnyNumber, "0 switches smoothing off");
   checkRange("SmoothingSpeed", o.smoothingSpeed, 0.0, AnyNumber, "set 0.001 when in doubt");
   checkRange("SmoothingDecay", o.smoothingDecay, 0.0, AnyNumber, "0 keeps the speed as it is");
@@ -46,10 +47,11 @@ FlowOptions inAbsoluteUnits(const FlowOptions& options, double lengthUnit)
     absolute.smoothingSpeed *= area;
     absolute.redistribution.curvatureControlAlpha *= lengthUnit;
     absolute.relativeUnits = false;
-    if (options.fieldMode == FieldMode::EdgeDetector)
+    if (hasEdges(options.fieldMode))
     {
       absolute.advectionSpeed *= area;
       absolute.edgeSharpness *= area;
+      absolute.normalSpeed *= lengthUnit;
     }
   }
   return absolute;

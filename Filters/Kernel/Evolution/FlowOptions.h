@@ -20,8 +20,15 @@ namespace evolving
 enum class FieldMode
 {
   DistanceField = 0, ///< signed distance, the flow of section 3.2, (3.7) to (3.9)
-  EdgeDetector = 1,  ///< an image I, or e itself when edgeSharpness is 0
+  Image = 1,         ///< intensities I, whose edge detector e is computed
+  EdgeImage = 2,     ///< e itself
 };
+
+/// Is the surface drawn to the edges of an image?
+inline bool hasEdges(FieldMode mode)
+{
+  return mode != FieldMode::DistanceField;
+}
 
 /// What moves a surface where no field does.
 enum class Flow
@@ -45,7 +52,8 @@ struct FlowOptions
   double advectionBalance = 0.0; ///< D of (3.8), in [0, 1]
   bool relativeUnits = true;     ///< see inAbsoluteUnits()
   FieldMode fieldMode = FieldMode::DistanceField;
-  double edgeSharpness = 0.0; ///< K
+  double edgeSharpness = 0.0; ///< K; 0 = automatic, see automaticEdgeDetector()
+  double normalSpeed = 0.0;   ///< of an edge detector where e is 1, outwards; below 0 inwards
   bool unsignedField = false; ///< D = 0 within two cells of the target
   RedistributionOptions redistribution;
   int smoothingSteps = 0;
@@ -78,15 +86,15 @@ struct FlowOptions
 inline auto membersOf(const FlowOptions& options)
 {
   const auto& [timeStep, numberOfSteps, flow, volumePreserving, curvatureSpeed, curvatureRange,
-    advectionSpeed, advectionBalance, relativeUnits, fieldMode, edgeSharpness, unsignedField,
-    redistribution, smoothingSteps, smoothingSpeed, smoothingDecay, boundaryMode, surfaceGuard,
-    convergenceTolerance, stallSteps, longestAdvection, remeshingInterval, solverTolerance,
-    tracesStart] = options;
+    advectionSpeed, advectionBalance, relativeUnits, fieldMode, edgeSharpness, normalSpeed,
+    unsignedField, redistribution, smoothingSteps, smoothingSpeed, smoothingDecay, boundaryMode,
+    surfaceGuard, convergenceTolerance, stallSteps, longestAdvection, remeshingInterval,
+    solverTolerance, tracesStart] = options;
   return std::tie(timeStep, numberOfSteps, flow, volumePreserving, curvatureSpeed, curvatureRange,
-    advectionSpeed, advectionBalance, relativeUnits, fieldMode, edgeSharpness, unsignedField,
-    redistribution, smoothingSteps, smoothingSpeed, smoothingDecay, boundaryMode, surfaceGuard,
-    convergenceTolerance, stallSteps, longestAdvection, remeshingInterval, solverTolerance,
-    tracesStart);
+    advectionSpeed, advectionBalance, relativeUnits, fieldMode, edgeSharpness, normalSpeed,
+    unsignedField, redistribution, smoothingSteps, smoothingSpeed, smoothingDecay, boundaryMode,
+    surfaceGuard, convergenceTolerance, stallSteps, longestAdvection, remeshingInterval,
+    solverTolerance, tracesStart);
 }
 
 bool operator==(const FlowOptions& a, const FlowOptions& b);
@@ -103,7 +111,7 @@ void checkOptions(const FlowOptions& options);
  * The options with all lengths in the input's unit: C1, S0 and C2 times L^2 and alpha times L;
  * for surface diffusion C1 times L^4.
  * For an edge detector a and K, an area per time and an area per squared intensity, are
- * multiplied by L^2 too. Unchanged when they are absolute already.
+ * multiplied by L^2 too, and the normal speed by L. Unchanged when they are absolute already.
  * @param lengthUnit L
  */
 FlowOptions inAbsoluteUnits(const FlowOptions& options, double lengthUnit);

@@ -70,11 +70,17 @@ void checkFlow(const SurfaceMesh& start, const ScalarImage* field, const FlowOpt
   }
 }
 
-/// C sqrt(1 + D^2): the rate of the explicit pull towards a target.
+/// The rate of what moves the surface explicitly: C sqrt(1 + D^2) towards a target, and a cell of
+/// an image by the normal speed. The pull of edges is none, see StepInput.
 double advectionRate(const FlowOptions& options, const ScalarImage* field)
 {
-  const bool isPulled = field && options.fieldMode == FieldMode::DistanceField;
-  return isPulled ? options.advectionSpeed * std::hypot(1.0, options.advectionBalance) : 0.0;
+  if (!field)
+  {
+    return 0.0;
+  }
+  return hasEdges(options.fieldMode)
+    ? std::abs(options.normalSpeed) / field->grid().spacing.minCoeff()
+    : options.advectionSpeed * std::hypot(1.0, options.advectionBalance);
 }
 
 /// 1 / time: of the flow's own time.
@@ -106,15 +112,16 @@ FlowSetup setUpFlow(const SurfaceMesh& start, const ScalarImage* field, const Fl
   setup.options = inAbsoluteUnits(options, setup.lengthUnit);
   if (options.timeStep == 0.0)
   {
-    setup.options.timeStep = automaticTimeStep(start, field != nullptr, setup.options, setup.size);
+    setup.options.timeStep = automaticTimeStep(start, field, setup.options, setup.size);
   }
   setup.restingMove = options.convergenceTolerance * setup.size *
     rateOf(setup.options, field, setup.size) * setup.options.timeStep;
-  const double rate = advectionRate(options, field);
+  const double rate = advectionRate(setup.options, field);
   setup.parts = divideStep(setup.options.timeStep, options.redistribution, rate);
   setup.options.redistribution = limitRates(setup.options.redistribution, setup.parts.timeStep);
-  setup.options.advectionSpeed /=
-    std::max(1.0, rate * setup.parts.timeStep / ExplicitLimits::Advection);
+  double& speed =
+    field && hasEdges(options.fieldMode) ? setup.options.normalSpeed : setup.options.advectionSpeed;
+  speed /= std::max(1.0, rate * setup.parts.timeStep / ExplicitLimits::Advection);
   return setup;
 }
 

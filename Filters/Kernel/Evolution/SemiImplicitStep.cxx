@@ -19,6 +19,12 @@ namespace
 /// epsilon_i / max epsilon below which a row counts as one without curvature motion.
 constexpr double SmallestEpsilon = 1e-12;
 
+/// 1 + tau k.
+double damping(const StepInput& input, Index vertex)
+{
+  return input.stiffness ? 1.0 + input.timeStep * (*input.stiffness)[at(vertex)] : 1.0;
+}
+
 /// Good elements take 30 to 40 iterations.
 int solve(const SparseMatrix& A, const std::vector<Vec3>& b, std::vector<Vec3>& x, double tolerance,
   const Execution& execution)
@@ -84,8 +90,9 @@ void SemiImplicitStep::markKnown(const SurfaceGeometry& geometry, const StepInpu
   {
     const bool isGiven = input.isKnown[at(i)] != 0;
     this->IsKnown[at(i)] = isGiven || input.epsilon[at(i)] <= SmallestEpsilon * largest;
-    this->Known[at(i)] = isGiven ? input.knownDisplacement[at(i)]
-                                 : Vec3(input.timeStep * input.explicitVelocity[at(i)]);
+    this->Known[at(i)] = isGiven
+      ? input.knownDisplacement[at(i)]
+      : Vec3(input.timeStep / damping(input, i) * input.explicitVelocity[at(i)]);
   }
 }
 
@@ -107,7 +114,8 @@ void SemiImplicitStep::assemble(
         return; // replaced by eliminateKnown()
       }
       const double mu = geometry.coVolumes()[at(row)];
-      const double diagonal = mu / input.epsilon[at(row)];
+      const double weight = mu / input.epsilon[at(row)];
+      const double diagonal = weight * damping(input, row);
       for (Index k = L.outerIndexPtr()[row]; k < L.outerIndexPtr()[row + 1]; ++k)
       {
         this->A.valuePtr()[k] =
@@ -115,7 +123,7 @@ void SemiImplicitStep::assemble(
       }
       // -L F = mu h
       this->B[at(row)] = tau *
-        (mu * geometry.curvatureVectors()[at(row)] + diagonal * input.explicitVelocity[at(row)]);
+        (mu * geometry.curvatureVectors()[at(row)] + weight * input.explicitVelocity[at(row)]);
     });
 }
 

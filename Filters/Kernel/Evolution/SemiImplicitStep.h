@@ -28,6 +28,7 @@ struct StepInput
   const std::vector<char>& isKnown;           ///< vertices whose displacement is given
   const std::vector<Vec3>& knownDisplacement; ///< read at those
   double timeStep = 0.0;
+  const std::vector<double>* stiffness = nullptr; ///< k below; null for 0
 };
 
 /**
@@ -37,9 +38,13 @@ struct StepInput
  *
  *   (diag(mu / epsilon) + tau L) D = tau (-L F^t + diag(mu / epsilon)(eta N + v_T))
  *
- * Rows with epsilon_i below 1e-12 of the largest move by tau (eta N + v_T); they and the rows of
- * vertices with a given displacement are eliminated. Boundary vertices without one have the
- * natural boundary condition.
+ * Where eta falls along the normal at a rate k tau that is not small, as at an edge of an image, it
+ * is linearized: (1 + tau k_i) instead of 1 on the left, so that steps of any length end where
+ * the right-hand side is 0, instead of leaping over that.
+ *
+ * Rows with epsilon_i below 1e-12 of the largest move by tau (eta N + v_T) / (1 + tau k); they and
+ * the rows of vertices with a given displacement are eliminated. Boundary vertices without one have
+ * the natural boundary condition.
  */
 class SemiImplicitStep
 {

@@ -39,6 +39,7 @@ StateSeries::StateSeries(MakeFlow makeFlow, std::vector<int> published, std::siz
 {
   SurfaceFlow flow = this->Make(execution);
   this->TimeStep = flow.timeStep();
+  this->EdgeSharpness = flow.edgeSharpness();
   try
   {
     this->run(flow, execution, observe);

@@ -76,6 +76,8 @@ public:
   std::vector<int> iterations() const;
   /// As SurfaceFlow::timeStep().
   double timeStep() const { return this->TimeStep; }
+  /// As SurfaceFlow::edgeSharpness().
+  double edgeSharpness() const { return this->EdgeSharpness; }
   /// The iteration of the last state reached.
   int lastIteration() const { return this->History.back().iteration; }
 
@@ -92,6 +94,7 @@ private:
   std::string StopReason;
   std::optional<double> ExtinctionTime;
   double TimeStep = 0.0;
+  double EdgeSharpness = 0.0;
 };
 
 } // namespace evolving

@@ -92,6 +92,11 @@ public:
   double lengthUnit() const { return this->Setup.lengthUnit; }
   /// As the options say, or the automatic one.
   double timeStep() const { return this->Setup.options.timeStep; }
+  /// K of an image, as the options say or the automatic one, in their unit; 0 for other fields.
+  double edgeSharpness() const
+  {
+    return this->Surface.edgeSharpness() / (this->Setup.lengthUnit * this->Setup.lengthUnit);
+  }
 
 private:
   bool isSmoothing() const;

@@ -75,17 +75,21 @@ void VertexMotion::advance(double timeStep, const Execution& execution)
   this->LastMove.isHeld = this->heldVertices();
   const std::vector<char>& isKnown = this->LastMove.isHeld;
   const std::vector<Vec3> slid = this->slide(this->TangentVelocity, timeStep);
+  const std::vector<double>* stiffness =
+    this->Controls.stiffness.empty() ? nullptr : &this->Controls.stiffness;
   std::vector<Vec3> velocity(count);
   std::vector<Vec3> known(count);
   forEachIndex(execution, this->Mesh.vertexCount(),
     [&](Index i)
     {
-      velocity[at(i)] = this->GivenVelocity[at(i)] + this->TangentVelocity[at(i)];
+      // What is linearized is the motion along the normal alone.
+      const double damping = stiffness ? 1.0 + timeStep * (*stiffness)[at(i)] : 1.0;
+      velocity[at(i)] = this->GivenVelocity[at(i)] + damping * this->TangentVelocity[at(i)];
       known[at(i)] = slid[at(i)] - this->Mesh.points[at(i)];
     });
   this->LastMove.limited.displacement = this->Step.displacement(this->Geometry,
-    { this->Controls.epsilon, velocity, isKnown, known, timeStep }, this->Options.solverTolerance,
-    execution);
+    { this->Controls.epsilon, velocity, isKnown, known, timeStep, stiffness },
+    this->Options.solverTolerance, execution);
   if (this->Volumes)
   {
     this->LastMove.response = this->responseToVolume(execution);

@@ -67,7 +67,7 @@ TEST(Attraction, TheEdgeOfABallInAnImageAttractsASurface)
     [](const Vec3& p) { return 1.0 / (1.0 + std::exp((p.norm() - 0.6) / 0.05)); });
   FlowOptions options;
   options.relativeUnits = false;
-  options.fieldMode = FieldMode::EdgeDetector;
+  options.fieldMode = FieldMode::Image;
   options.edgeSharpness = 2.0;
   options.curvatureSpeed = 0.05;
   options.advectionSpeed = 0.05;

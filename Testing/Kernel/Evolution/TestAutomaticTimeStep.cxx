@@ -73,12 +73,13 @@ TEST(AutomaticTimeStep, IsThereWhateverIsOff)
         FlowOptions options = automatic(steps);
         options.curvatureSpeed = curvature;
         options.advectionSpeed = advection;
-        for (const FieldMode mode : { FieldMode::DistanceField, FieldMode::EdgeDetector })
+        options.normalSpeed = -advection;
+        for (const FieldMode mode : { FieldMode::DistanceField, FieldMode::Image })
         {
           options.fieldMode = mode;
-          EXPECT_GT(automaticTimeStep(icosphere(1), true, options, 1.0), 0.0);
-          EXPECT_GT(automaticTimeStep(icosphere(1), false, options, 1.0), 0.0);
-          EXPECT_LE(automaticTimeStep(icosphere(1), true, options, 1.0), LongestTimeStep);
+          EXPECT_GT(automaticTimeStep(icosphere(1), field.get(), options, 1.0), 0.0);
+          EXPECT_GT(automaticTimeStep(icosphere(1), nullptr, options, 1.0), 0.0);
+          EXPECT_LE(automaticTimeStep(icosphere(1), field.get(), options, 1.0), LongestTimeStep);
         }
       }
     }

@@ -117,10 +117,10 @@ TEST(ControlField, SmoothingKeepsTheDistances)
 TEST(ControlField, EvaluatesTheEdgeDetectorFlow)
 {
   FlowOptions options = exampleOptions();
-  options.fieldMode = FieldMode::EdgeDetector;
+  options.fieldMode = FieldMode::EdgeImage;
   const auto e = shapes::image(
     shapes::cubicGrid(21, 1.0), [](const Vec3& p) { return 0.5 + 0.1 * p.x() - 0.2 * p.y(); });
-  const ControlField field(e, options); // K = 0: the image is e
+  const ControlField field(e, options);
   const ControlValues values = evaluateAt(field, Vec3(0.3, 0.1, 0), Vec3::UnitY());
   EXPECT_NEAR(values.epsilon[0], 2.0 * 0.51, 1e-6);
   EXPECT_NEAR(values.eta[0], -3.0 * -0.2, 1e-5);

@@ -121,7 +121,7 @@ TEST(FieldCheck, LetsImagesBeImages)
   const auto saidAs = [&](FieldMode mode)
   { return checks::refusalOf([&] { checkField(*labels, icosphere(2), mode); }); };
   expectSaid(saidAs(FieldMode::DistanceField), "0 and 1");
-  EXPECT_EQ(saidAs(FieldMode::EdgeDetector), "");
+  EXPECT_EQ(saidAs(FieldMode::Image), "");
 }
 
 TEST(FieldCheck, LetsPartsPassThatAreThinnerThanACell)

@@ -123,7 +123,7 @@ TEST(FlowEnds, AnEdgeDetectorMovesByAtMostACellAStep)
   const auto ball = shapes::image(shapes::cubicGrid(33, 1.6),
     [](const Vec3& p) { return 1.0 / (1.0 + std::exp((p.norm() - 0.6) / 0.1)); });
   FlowOptions options;
-  options.fieldMode = FieldMode::EdgeDetector;
+  options.fieldMode = FieldMode::Image;
   options.edgeSharpness = 1.0;
   options.curvatureSpeed = 0.0;
   options.advectionSpeed = 1e9;

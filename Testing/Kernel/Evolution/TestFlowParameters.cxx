@@ -59,8 +59,9 @@ FlowOptions anyOptions(Dice& dice)
   o.advectionSpeed = dice.rate();
   o.advectionBalance = 0.5 * dice.below(3);
   o.relativeUnits = dice.below(2) == 0;
-  o.fieldMode = static_cast<FieldMode>(dice.below(2));
+  o.fieldMode = static_cast<FieldMode>(dice.below(3));
   o.edgeSharpness = dice.rate();
+  o.normalSpeed = dice.below(2) ? dice.rate() : -dice.rate();
   o.unsignedField = dice.below(2) == 0;
   o.redistribution.volume = dice.rate();
   o.redistribution.angle = dice.rate();
@@ -122,6 +123,10 @@ TEST_P(AnyParameters, EndWellOnAnyShape)
       {
         options.flow = Flow::MeanCurvature; // others are refused
         options.volumePreserving = false;
+      }
+      if (options.fieldMode == FieldMode::Image && options.edgeSharpness == 0.0)
+      {
+        options.edgeSharpness = 1.0; // the automatic one sees no edges here, and refuses
       }
       SCOPED_TRACE(
         std::to_string(start.vertexCount()) + " vertices, trial " + std::to_string(trial));

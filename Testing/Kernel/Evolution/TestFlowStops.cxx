@@ -109,8 +109,9 @@ TEST(FlowStops, AnyParametersEndInAFiniteSurface)
     options.curvatureRange = logarithmic(1e-6, 1e4);
     options.advectionSpeed = random() % 4 ? logarithmic(1e-6, 1e6) : 0.0;
     options.advectionBalance = 0.5 * static_cast<double>(random() % 3);
-    options.fieldMode = static_cast<FieldMode>(random() % 2);
-    options.edgeSharpness = random() % 2 ? logarithmic(1e-3, 1e3) : 0.0;
+    options.fieldMode = static_cast<FieldMode>(random() % 3);
+    options.edgeSharpness = logarithmic(1e-3, 1e3); // the automatic one sees no edges here
+    options.normalSpeed = random() % 2 ? logarithmic(1e-6, 1e4) : 0.0;
     options.unsignedField = random() % 2;
     options.redistribution.volume = random() % 2 ? logarithmic(1e-3, 1e6) : 0.0;
     options.redistribution.angle = random() % 2 ? logarithmic(1e-3, 1e6) : 0.0;

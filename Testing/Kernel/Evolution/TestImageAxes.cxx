@@ -233,7 +233,7 @@ TEST(ImageAxes, ASegmentationTurnsWithItsImage)
   const auto image = shapes::image(shapes::cubicGrid(33, 1.6),
     [](const Vec3& p) { return std::tanh(8.0 * ((p - Vec3(0.1, 0.0, 0.0)).norm() - 0.6)); });
   FlowOptions options = flows::towardsSphere(20);
-  options.fieldMode = FieldMode::EdgeDetector;
+  options.fieldMode = FieldMode::Image;
   options.edgeSharpness = 1.0;
   options.relativeUnits = false; // L is the start's box, which is along the world's axes
   expectTurnedFlow(*image, options, turn(), 1e-5); // its samples are floats

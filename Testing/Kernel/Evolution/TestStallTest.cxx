@@ -110,7 +110,7 @@ TEST(StallTest, NeedsDistances)
   SurfaceFlow free(icosphere(1), nullptr, options);
   flows::run(free);
   EXPECT_EQ(free.record().iteration, 20);
-  options.fieldMode = FieldMode::EdgeDetector;
+  options.fieldMode = FieldMode::Image;
   options.edgeSharpness = 1.0;
   const auto ball = shapes::image(shapes::cubicGrid(33, 1.6),
     [](const Vec3& p) { return 1.0 / (1.0 + std::exp((p.norm() - 0.6) / 0.1)); });

@@ -40,8 +40,8 @@ TEST(RelaxationTime, MakesTheAutomaticStep)
   FlowOptions options = flows::volumePreserving(100);
   options.curvatureSpeed = 0.5;
   const double time = relaxationTimeOfCurvatureFlow(start) / 0.5;
-  EXPECT_NEAR(automaticTimeStep(start, false, options, 1.0), time / 100.0, 1e-12);
+  EXPECT_NEAR(automaticTimeStep(start, nullptr, options, 1.0), time / 100.0, 1e-12);
   options.flow = Flow::SurfaceDiffusion;
-  EXPECT_NEAR(
-    automaticTimeStep(start, false, options, 1.0), relaxationTimeOfDiffusion(start) / 50.0, 1e-12);
+  EXPECT_NEAR(automaticTimeStep(start, nullptr, options, 1.0),
+    relaxationTimeOfDiffusion(start) / 50.0, 1e-12);
 }
