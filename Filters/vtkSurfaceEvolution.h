@@ -24,8 +24,8 @@
  * the flow is pure mean curvature flow.
  *
  * A field that cannot attract the start is refused with a sentence that says what it is like: a
- * distance changes by about 1 per length near its zero level (to a factor of 2), has such a level or
- * comes closer to zero than a cell, and samples along all three axes, where the start is.
+ * distance changes by about 1 per length near its zero level (to a factor of 2), has such a level
+ * or comes closer to zero than a cell, and samples along all three axes, where the start is.
  *
  * Output 0 is the surface at a time step: t = 0 is the start, then every OutputInterval-th step,
  * the last one always. An update without a time gives the last step, the result. Times are
@@ -295,7 +295,8 @@ public:
    * gradients are no larger than those of noise, n; the image is smoothed by 0.8 samples before,
    * and e = 1 / (1 + K max(0, |grad I|^2 - n^2)). An image without edges that stand out is refused.
    * With a value above 0 e is as FieldMode says, of the image as it is. The value used is in the
-   * field data, EdgeSharpness. The range is 0 and above.
+   * field data, EdgeSharpness. Edges far below the typical one, as an organ's beside bone and air,
+   * are not seen: smooth the image, and set 10 to 100 times that value. The range is 0 and above.
    */
   vtkSetClampMacro(EdgeSharpness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(EdgeSharpness, double);
