@@ -193,6 +193,10 @@ private:
     filter->SetRelativeUnits(random.chance(0.8));
     filter->SetFieldMode(random.chance(0.2) ? random.integer(1, 2) : 0);
     filter->SetEdgeSharpness(draw.rate("EdgeSharpness", 0.5, 1e-2, 100.0));
+    if (filter->GetFieldMode() == vtkSurfaceEvolution::IMAGE && filter->GetEdgeSharpness() == 0.0)
+    {
+      filter->SetFieldModeToEdgeImage(); // in a distance the automatic one rightly sees no edges
+    }
     filter->SetNormalSpeed(
       (random.chance(0.5) ? 1.0 : -1.0) * draw.rate("NormalSpeed", 0.5, 0.1, 3.0));
     filter->SetBoundaryMode(random.integer(0, 2));
