@@ -3,12 +3,12 @@
 
 #include "Algebra/ConjugateGradients.h"
 
+#include "Algebra/SolverFailure.h"
 #include "Errors.h"
 #include "ParallelLoops.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace evolving
 {
@@ -98,16 +98,6 @@ private:
   int Since = 0;
 };
 
-[[noreturn]] void throwNotSolved(int iterations, double residual, double tolerance)
-{
-  std::ostringstream message;
-  message << "The linear system has a relative residual of " << residual << " after " << iterations
-          << " iterations, expected " << tolerance
-          << "; a smaller time step, a larger solver tolerance or a mesh without degenerate faces "
-             "helps.";
-  throw SolverError(message.str());
-}
-
 /// One run: the vectors of the method and its loop.
 template <class Value, class Precondition>
 class Iteration
@@ -145,14 +135,15 @@ public:
       if (iteration == limits.maximumIterations || stagnation.isReached(iteration, norm) ||
         !(curvature > 0.0 && product > 0.0) || !std::isfinite(step))
       {
-        throwNotSolved(iteration, std::sqrt(norm / target) * limits.tolerance, limits.tolerance);
+        throwNotSolved(
+          "linear", iteration, std::sqrt(norm / target) * limits.tolerance, limits.tolerance);
       }
       norm = this->advance(step, x);
       this->Iterations = iteration + 1;
     }
     if (!std::isfinite(norm))
     {
-      throwNotSolved(this->Iterations, norm, limits.tolerance);
+      throwNotSolved("linear", this->Iterations, norm, limits.tolerance);
     }
     return this->Iterations;
   }

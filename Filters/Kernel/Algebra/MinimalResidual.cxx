@@ -3,11 +3,10 @@
 
 #include "Algebra/MinimalResidual.h"
 
-#include "Errors.h"
+#include "Algebra/SolverFailure.h"
 #include "ParallelLoops.h"
 
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace evolving
@@ -126,16 +125,6 @@ private:
   Vector BeforeLast;
 };
 
-[[noreturn]] void throwNotSolved(int iterations, double residual, double tolerance)
-{
-  std::ostringstream message;
-  message << "The coupled system has a relative residual of " << residual << " after " << iterations
-          << " iterations, expected " << tolerance
-          << "; a smaller time step, a larger solver tolerance or a mesh without degenerate faces "
-             "helps.";
-  throw SolverError(message.str());
-}
-
 } // namespace
 
 int minimalResidual(const SymmetricOperator& A, const std::vector<double>& b,
@@ -170,12 +159,13 @@ int minimalResidual(const SymmetricOperator& A, const std::vector<double>& b,
     if (!(std::abs(residual) <= target) &&
       (iteration >= limits.maximumIterations || !std::isfinite(residual)))
     {
-      throwNotSolved(iteration, std::abs(residual) / target * limits.tolerance, limits.tolerance);
+      throwNotSolved(
+        "coupled", iteration, std::abs(residual) / target * limits.tolerance, limits.tolerance);
     }
   }
   if (!std::isfinite(residual))
   {
-    throwNotSolved(iteration, residual, limits.tolerance);
+    throwNotSolved("coupled", iteration, residual, limits.tolerance);
   }
   return iteration;
 }

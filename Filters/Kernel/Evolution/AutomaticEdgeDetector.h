@@ -21,8 +21,9 @@ namespace evolving
  *   one sample, which moves the edge of a ball of radius r inwards by 1 / r samples.
  * - n, the largest gradient that noise may have: e is flat where there is no edge, so that noise
  *   neither holds a surface nor drives it. 10 % of the gradients of Gaussian noise are below 0.76
- *   of a component's standard deviation, 1 in 100,000 is above 5 of them; n is the one when the 10
- * % least gradients of the image, where it is not constant, are noise: edges are elsewhere.
+ *   of a component's standard deviation, 1 in 100,000 is above 5 of them; n is these 5 deviations
+ *   when the least tenth of the image's gradients, where it is not constant, is noise: edges are
+ *   elsewhere.
  * - K, with which e is 0.1 at a typical edge: the median of the gradients that are largest across
  *   an edge and above n. An edge of a third of that still halves e.
  *

@@ -16,7 +16,7 @@ namespace evolving
 namespace
 {
 
-/// More pointed than a pyramid of equilateral triangles, whatever it has for creases.
+/// More pointed than a corner of a regular tetrahedron.
 bool isTip(const EditableSurface& surface, Index v)
 {
   double around = 0.0;
