@@ -5,10 +5,11 @@
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
+#include "vtkInformationStringKey.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -19,13 +20,11 @@ namespace ResultArrays
 namespace
 {
 
-//------------------------------------------------------------------------------
-vtkInformationIntegerKey* ResultKey()
-{
-  static vtkInformationIntegerKey* const key =
-    vtkInformationIntegerKey::MakeKey("RESULT", "EvolvingSurfaces");
-  return key;
-}
+/**
+ * The value of vtkDataObject::FIELD_NAME() in a result's information. A key of VTK's own: one of
+ * this module would make readers of files warn wherever the module is not loaded.
+ */
+constexpr const char* Mark = "EvolvingSurfaces";
 
 //------------------------------------------------------------------------------
 /// The array itself is the input's, too, and keeps its name there.
@@ -82,14 +81,16 @@ void Add(vtkFieldData* data, vtkAbstractArray* result)
   {
     Rename(data, number);
   }
-  result->GetInformation()->Set(ResultKey(), 1);
+  result->GetInformation()->Set(vtkDataObject::FIELD_NAME(), Mark);
   data->AddArray(result);
 }
 
 //------------------------------------------------------------------------------
 bool IsResult(vtkAbstractArray* array)
 {
-  return array->HasInformation() && array->GetInformation()->Has(ResultKey());
+  const char* mark =
+    array->HasInformation() ? array->GetInformation()->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+  return mark && std::string(mark) == Mark;
 }
 
 //------------------------------------------------------------------------------

@@ -15,8 +15,8 @@ class vtkFieldData;
 /**
  * Names of results are frozen, and inputs may have arrays of the same name. A result that a filter
  * of this module computed before gives way to the new one; an array of anyone else stays, under its
- * name with "_input" at its end. To be told apart, results carry an information key, which VTK
- * hands on with copies of an array, and writes to XML files.
+ * name with "_input" at its end. To be told apart, results carry an information key of VTK's, which
+ * it hands on with copies of an array, and writes to XML files.
  */
 namespace ResultArrays
 {

@@ -15,12 +15,17 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationIterator.h"
+#include "vtkInformationKey.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkShrinkWrap.h"
 #include "vtkSurfaceEvolution.h"
 #include "vtkTangentialRedistribution.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLPolyDataWriter.h"
 
 #include <gtest/gtest.h>
 
@@ -132,6 +137,52 @@ TEST(ResultArrays, ResultsOfAnEarlierFilterGiveWay)
     first->GetPointData()->GetArray("NormalVelocity")));
   EXPECT_NEAR(LargestOf(even->GetPointData(), "CoVolume"),
     LargestOf(first->GetPointData(), "CoVolume"), 0.01);
+}
+
+//------------------------------------------------------------------------------
+/// A reader warns of every other key where this module is not loaded.
+TEST(ResultArrays, HaveKeysOfVTKAlone)
+{
+  for (const auto& run : Runs)
+  {
+    const Surface output = run(Sample::Icosphere(2));
+    int count = 0;
+    for (vtkFieldData* data : { static_cast<vtkFieldData*>(output->GetPointData()),
+           static_cast<vtkFieldData*>(output->GetCellData()), output->GetFieldData() })
+    {
+      for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+      {
+        vtkNew<vtkInformationIterator> keys;
+        keys->SetInformation(data->GetAbstractArray(i)->GetInformation());
+        for (keys->InitTraversal(); !keys->IsDoneWithTraversal(); keys->GoToNextItem(), ++count)
+        {
+          EXPECT_EQ(std::string(keys->GetCurrentKey()->GetLocation()).rfind("vtk", 0), 0U)
+            << keys->GetCurrentKey()->GetLocation();
+        }
+      }
+    }
+    EXPECT_GT(count, 0);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(ResultArrays, OfAFileGiveWayToo)
+{
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(Evolved(Sample::Icosphere(2)));
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->ReadFromInputStringOn();
+  reader->SetInputString(writer->GetOutputString());
+  reader->Update();
+  for (const auto& run : Runs)
+  {
+    const Surface output = run(reader->GetOutput());
+    EXPECT_FALSE(output->GetPointData()->HasArray("Normals_input"));
+    EXPECT_FALSE(output->GetPointData()->HasArray("MeanCurvature_input"));
+    EXPECT_FALSE(output->GetFieldData()->HasArray("Area_input"));
+  }
 }
 
 //------------------------------------------------------------------------------
