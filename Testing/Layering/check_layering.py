@@ -39,6 +39,7 @@ KERNEL_ARROWS = {
     "VolumeFlows": {"Mesh", "Algebra", "Operators"},
     "Evolution": {"Mesh", "Trees", "Distance", "Algebra", "Operators", "Redistribution",
                   "Remeshing", "VolumeFlows"},
+    "LabelSurfaces": {"Mesh", "Algebra"},
     "LostTopology": {"Mesh", "Trees", "Remeshing"},
     "ShrinkWrap": {"Mesh", "Trees", "Distance", "Crossings", "Features", "StartSurface", "Remeshing",
                    "FeatureCapture", "Evolution", "LostTopology"},
