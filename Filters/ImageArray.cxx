@@ -82,7 +82,8 @@ Choice ChoiceOf(vtkInformation* chosen, int port, vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
-vtkDataArray* Find(vtkImageData* image, const Choice& choice)
+vtkDataArray* Find(
+  vtkImageData* image, const Choice& choice, const std::string& name, const std::string& expected)
 {
   const int where = choice.IsOfCells ? vtkDataObject::CELL : vtkDataObject::POINT;
   vtkAbstractArray* array = FindIn(image->GetAttributes(where), choice);
@@ -90,16 +91,15 @@ vtkDataArray* Find(vtkImageData* image, const Choice& choice)
   if (!array)
   {
     Refuse(choice.Name.empty()
-        ? std::string("The image on the second input has no active ") +
-          vtkDataSetAttributes::GetAttributeTypeAsString(choice.Role)
-        : "The image on the second input has no " + elements + " array \"" + choice.Name + "\"",
-      "a distance or an intensity; choose one of its arrays: " + NamesOfArrays(image));
+        ? name + " has no active " + vtkDataSetAttributes::GetAttributeTypeAsString(choice.Role)
+        : name + " has no " + elements + " array \"" + choice.Name + "\"",
+      expected + "; choose one of its arrays: " + NamesOfArrays(image));
   }
   auto* numbers = vtkDataArray::SafeDownCast(array);
   if (!numbers || numbers->GetNumberOfComponents() != 1)
   {
-    const std::string name = array->GetName() ? array->GetName() : "";
-    Refuse("The " + elements + " array \"" + name + "\" of the image has " +
+    const std::string ofArray = array->GetName() ? array->GetName() : "";
+    Refuse("The " + elements + " array \"" + ofArray + "\" of the image has " +
         (numbers ? std::to_string(numbers->GetNumberOfComponents()) + " components"
                  : std::string("values that are no numbers")),
       "one number for each " + elements +
@@ -130,8 +130,9 @@ void SetToMiddles(vtkImageData* image, vtkImageData* middles)
 } // namespace
 
 //------------------------------------------------------------------------------
-ImageArray::ImageArray(vtkAlgorithm* filter, int port)
+ImageArray::ImageArray(vtkAlgorithm* filter, int port, const char* expected)
   : Port(port)
+  , Expected(expected)
 {
   filter->SetInputArrayToProcess(
     0, port, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
@@ -149,7 +150,8 @@ vtkImageData* ImageArray::Get(vtkAlgorithm* filter, vtkInformationVector** input
     return nullptr;
   }
   const Choice choice = ChoiceOf(filter->GetInputArrayInformation(0), this->Port, image);
-  vtkDataArray* array = Find(image, choice);
+  const char* name = this->Port == 0 ? "The image" : "The image on the second input";
+  vtkDataArray* array = Find(image, choice, name, this->Expected);
   if (!this->Samples || image != this->LastImage || image->GetMTime() != this->LastTime ||
     array != this->LastArray)
   {

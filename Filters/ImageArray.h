@@ -27,7 +27,8 @@ class ImageArray
 {
 public:
   /// To be called in the filter's constructor.
-  ImageArray(vtkAlgorithm* filter, int port);
+  /// @param expected what the array is to be, in words
+  ImageArray(vtkAlgorithm* filter, int port, const char* expected = "a distance or an intensity");
   ~ImageArray();
 
   /**
@@ -39,6 +40,7 @@ public:
 
 private:
   int Port;
+  const char* Expected;
   vtkImageData* LastImage = nullptr;
   vtkMTimeType LastTime = 0;
   vtkDataArray* LastArray = nullptr;

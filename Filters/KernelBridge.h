@@ -4,9 +4,9 @@
 /**
  * @file
  * Where VTK meets the kernel: the only place that knows both worlds (KernelBridge.cxx runs the
- * kernel, KernelBridgeRead.cxx, KernelBridgeReadImage.cxx, KernelBridgeWrite.cxx and
- * KernelBridgeWelding.cxx translate data, KernelBridgeHash.cxx tells contents apart). Private to
- * the module; it hands the kernel's headers on to the filters.
+ * kernel, KernelBridgeRead.cxx, KernelBridgeReadImage.cxx, KernelBridgeReadLabels.cxx,
+ * KernelBridgeWrite.cxx and KernelBridgeWelding.cxx translate data, KernelBridgeHash.cxx tells
+ * contents apart). Private to the module; it hands the kernel's headers on to the filters.
  */
 
 #ifndef KernelBridge_h
@@ -23,6 +23,8 @@
 #include "Evolution/SurfaceFlow.h"
 #include "Evolution/SurfaceRemesher.h"
 #include "Execution.h"
+#include "LabelSurfaces/LabelNumbers.h"
+#include "LabelSurfaces/LabelSurfaces.h"
 #include "Mesh/FloatPoints.h"
 #include "Mesh/PolygonTriangulation.h"
 #include "Mesh/SurfaceMesh.h"
@@ -154,6 +156,27 @@ bool HasFaces(vtkPolyData* input);
  * direction matrix that is neither a rotation nor a reflection, or values that are not finite
  */
 evolving::ScalarImage ReadImage(vtkImageData* image);
+
+/**
+ * From numbers of samples, the first of the image (0, 0, 0), to points.
+ * @throws evolving::InputError for a direction matrix that is neither a rotation nor a reflection
+ */
+Eigen::Affine3d ReadIndexToSpace(vtkImageData* image);
+
+/// An image of labels, and the labels by their numbers in it, the first for number 1.
+struct Labels
+{
+  evolving::LabelImage image;
+  std::vector<double> values;
+};
+
+/**
+ * The image's active point scalars as labels; samples are the middles of voxels.
+ * @throws evolving::InputError for what are no labels, or spacings that are not positive
+ * @throws evolving::Cancelled
+ */
+Labels ReadLabels(
+  vtkImageData* image, const evolving::LabelChoice& choice, const evolving::Execution& execution);
 
 /// A polydata of the mesh's points (as `pointType`, VTK_FLOAT or VTK_DOUBLE) and polygons.
 vtkSmartPointer<vtkPolyData> WritePolyData(const evolving::SurfaceMesh& mesh, int pointType);

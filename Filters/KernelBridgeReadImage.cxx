@@ -35,6 +35,26 @@ evolving::ImageAxes ReadAxes(vtkImageData* image, const evolving::Vec3& origin)
 } // namespace
 
 //------------------------------------------------------------------------------
+Eigen::Affine3d ReadIndexToSpace(vtkImageData* image)
+{
+  evolving::Vec3 origin;
+  evolving::Vec3 spacing;
+  int extent[6];
+  image->GetOrigin(origin.data());
+  image->GetSpacing(spacing.data());
+  image->GetExtent(extent);
+  const evolving::ImageAxes axes = ReadAxes(image, origin);
+  Eigen::Affine3d toSpace = Eigen::Affine3d::Identity();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    toSpace.linear().col(axis) = axes.vectorToWorld(spacing[axis] * evolving::Vec3::Unit(axis));
+  }
+  const evolving::Vec3 first(extent[0], extent[2], extent[4]);
+  toSpace.translation() = origin + toSpace.linear() * first;
+  return toSpace;
+}
+
+//------------------------------------------------------------------------------
 evolving::ScalarImage ReadImage(vtkImageData* image)
 {
   vtkDataArray* scalars = image->GetPointData()->GetScalars();

@@ -66,7 +66,7 @@ def relative_spread(values):
 class Proxies(unittest.TestCase):
     def test_all_proxies_have_constructors(self):
         for name in ("Icosphere", "MeshSDF", "SurfaceEvolution", "TangentialRedistribution",
-                     "ShrinkWrap", "DistanceHierarchy"):
+                     "ShrinkWrap", "DistanceHierarchy", "LabelSurfaces"):
             self.assertTrue(hasattr(pv, name), name)
 
     def test_outputs_have_names(self):

@@ -17,6 +17,7 @@ PLUGIN = pathlib.Path(sys.argv.pop()) if len(sys.argv) > 1 else pathlib.Path("Pl
 PROXIES = {
     "DistanceHierarchy": "filters",
     "Icosphere": "sources",
+    "LabelSurfaces": "filters",
     "MeshSDF": "filters",
     "ShrinkWrap": "filters",
     "SurfaceEvolution": "filters",
@@ -28,6 +29,7 @@ REPRESENTATIONS = {"HistoryChart": "HistoryChartRepresentation"}
 # value a slider is useless: the XML leaves that end out and the documentation names it.
 WITHOUT_SLIDER = {
     ("DistanceHierarchy", "Padding"),
+    ("LabelSurfaces", "BackgroundLabel"),
     ("MeshSDF", "Padding"),
     ("ShrinkWrap", "NumberOfSteps"),
     ("SurfaceEvolution", "NumberOfSteps"),
@@ -61,7 +63,8 @@ class Proxy:
         self.inputs = self.xml.findall("InputProperty")
         every = self.xml.findall("IntVectorProperty") + self.xml.findall("DoubleVectorProperty")
         self.information = [p for p in every if p.get("information_only") == "1"]
-        self.properties = [p for p in every if p not in self.information]
+        self.lists = [p for p in every if p.get("repeat_command") == "1"]
+        self.properties = [p for p in every if p not in self.information + self.lists]
 
     def setters(self):
         inherited = set().union(*(dir(base) for base in self.type.__bases__))
@@ -132,6 +135,18 @@ class XMLTest(unittest.TestCase):
     def test_names_are_the_setters(self, proxy, element):
         self.assertEqual(element.get("command"), "Set" + element.get("name"))
         self.assertTrue(hasattr(proxy.type, element.get("command")))
+
+    def test_lists_are_filled_one_by_one(self):
+        for proxy in PROXY_OF_FILE.values():
+            for element in proxy.lists:
+                with self.subTest(proxy=proxy.name, property=element.get("name")):
+                    name = element.get("name")
+                    instance = proxy.type()
+                    self.assertEqual(getattr(instance, "GetNumberOf" + name)(), 0)
+                    getattr(instance, element.get("command"))(3)
+                    self.assertEqual(getattr(instance, "GetNumberOf" + name)(), 1)
+                    getattr(instance, element.get("clean_command"))()
+                    self.assertEqual(getattr(instance, "GetNumberOf" + name)(), 0)
 
     @for_each_property
     def test_defaults(self, proxy, element):
@@ -222,7 +237,7 @@ class XMLTest(unittest.TestCase):
             self.assertGreater(len(documentation.get("short_help")), 20)
             self.assertGreater(len(documentation.get("long_help")), 20)
             self.assertGreater(len(text(documentation)), 100)
-            for element in proxy.inputs + proxy.properties + proxy.information:
+            for element in proxy.inputs + proxy.properties + proxy.lists + proxy.information:
                 with self.subTest(proxy=proxy.name, property=element.get("name")):
                     self.assertGreater(len(text(element.find("Documentation"))), 20)
 
@@ -251,7 +266,7 @@ class XMLTest(unittest.TestCase):
     def test_first_panel_is_short(self):
         for proxy in PROXY_OF_FILE.values():
             defaults = {p.get("name"): p.get("default_values") for p in proxy.properties}
-            visible = [p.get("name") for p in proxy.properties
+            visible = [p.get("name") for p in proxy.properties + proxy.lists
                        if p.get("panel_visibility") != "advanced" and is_shown(p, defaults)]
             with self.subTest(proxy=proxy.name, visible=visible):
                 self.assertLessEqual(len(visible), MOST_VISIBLE)

@@ -138,11 +138,17 @@ IMAGE_CHANGES = {
 }
 
 
+def takes_surfaces(name):
+    made = cases.make(name)
+    return (made.GetNumberOfInputPorts() > 0 and
+            isinstance(made.GetInputDataObject(0, 0), vtkPolyData))
+
+
 class Inputs(unittest.TestCase):
     def test_another_surface_gives_what_a_fresh_filter_gives(self):
         for name in cases.CLASSES:
             for label, change in SURFACE_CHANGES.items():
-                if cases.make(name).GetNumberOfInputPorts() > 0:
+                if takes_surfaces(name):
                     with self.subTest(f"{name}, {label}"):
                         self.check_input(name, 0, cases.cap, change)
 
@@ -152,6 +158,14 @@ class Inputs(unittest.TestCase):
                 with self.subTest(label, **settings):
                     self.check_input("vtkSurfaceEvolution", 1, cases.sphere_image, change,
                                      settings)
+
+    def test_another_image_of_labels_gives_what_a_fresh_filter_gives(self):
+        changes = {key: IMAGE_CHANGES[key] for key in ("origin", "spacing", "direction",
+                                                       "no scalars", "type", "components")}
+        changes["a voxel"] = lambda image: image.GetPointData().GetScalars().SetTuple1(171, 2)
+        for label, change in changes.items():
+            with self.subTest(label):
+                self.check_input("vtkLabelSurfaces", 0, cases.label_image, change)
 
     def check_input(self, name, port, make_input, change, settings=None):
         """Another object in its place, and the same object changed."""

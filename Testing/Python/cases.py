@@ -23,6 +23,7 @@ COMMON = {
     "vtkMeshSDF": {"SampleDimensions": (10, 10, 10)},
     "vtkDistanceHierarchy": {"SampleDimensions": (10, 10, 10)},
     "vtkIcosphereSource": {"Level": 1, "Resolution": 3},
+    "vtkLabelSurfaces": {},
     "vtkTangentialRedistribution": {"NumberOfSteps": 2},
     "vtkShrinkWrap": {"SampleDimensions": (24, 24, 24), "TargetEdgeLength": 0.3},
     "vtkSurfaceEvolution": {"NumberOfSteps": 3, "TimeStep": 0.1, "CurvatureSpeed": 0.05},
@@ -76,6 +77,7 @@ OTHER_VALUES = {
         "Shape": (es.vtkIcosphereSource.BOX, {}), "Level": (2, {}),
         "Resolution": (4, {"Shape": es.vtkIcosphereSource.CUBE_SPHERE}), "Radius": (2.0, {}),
         "Center": ((1.0, 2.0, 3.0), {}), "OutputPointsPrecision": (1, {})},
+    "vtkLabelSurfaces": {"BackgroundLabel": (2.0, {}), "SmoothingLength": (1.0, {})},
     "vtkTangentialRedistribution": {
         "NumberOfSteps": (3, {}), "TimeStep": (0.05, {}), "VolumeRedistribution": (1.0, {}),
         "AngleRedistribution": (4.0, {}), "LengthRedistribution": (1.0, {}),
@@ -178,11 +180,24 @@ def sphere_image(n=9, size=2.0, radius=1.0):
     return image
 
 
+def label_image(n=7):
+    """Two labels that touch."""
+    image = vtkImageData()
+    image.SetDimensions(n, n, n)
+    array = vtkDoubleArray()
+    array.SetName("Labels")
+    for i in range(image.GetNumberOfPoints()):
+        place = [x - 0.5 * (n - 1) for x in image.GetPoint(i)]
+        array.InsertNextValue(0 if math.hypot(*place) > 2.5 else 1 if place[0] < 0.3 else 2)
+    image.GetPointData().SetScalars(array)
+    return image
+
+
 def make(name, settings=None):
     """A filter of a class with its inputs, the common settings and others."""
     made = getattr(es, name)()
     if made.GetNumberOfInputPorts() > 0:
-        made.SetInputData(0, cap())
+        made.SetInputData(0, label_image() if name == "vtkLabelSurfaces" else cap())
     if made.GetNumberOfInputPorts() > 1:
         made.SetInputData(1, sphere_image())
     assign(made, COMMON[name])

@@ -32,6 +32,10 @@ constexpr double Farthest = 3.0;
 const char* const WhatToDo =
   "take the distance of its contour by vtkMeshSDF, or another FieldMode for an image to segment";
 
+const char* const WhatToDoWithLabels =
+  "take smooth surfaces of labels by vtkLabelSurfaces, or, to get there from another surface, the "
+  "distance of their contour by vtkMeshSDF";
+
 template <class... Parts>
 [[noreturn]] void refuse(const Parts&... parts)
 {
@@ -80,6 +84,7 @@ struct Values
   float least = 0.0F;
   float largest = 0.0F;
   bool areTwo = true; ///< no other than these
+  bool areWhole = true;
 };
 
 Values summarize(const std::vector<float>& values)
@@ -87,7 +92,9 @@ Values summarize(const std::vector<float>& values)
   const auto [least, largest] = std::minmax_element(values.begin(), values.end());
   const bool areTwo = std::all_of(values.begin(), values.end(),
     [low = *least, high = *largest](float value) { return value == low || value == high; });
-  return { *least, *largest, areTwo };
+  const bool areWhole = std::all_of(
+    values.begin(), values.end(), [](float value) { return value == std::floor(value); });
+  return { *least, *largest, areTwo, areWhole };
 }
 
 /// Of the samples near the zero level.
@@ -156,7 +163,12 @@ void checkDistance(const ScalarImage& field)
   if (values.areTwo)
   {
     refuse("The field has no values but ", values.least, " and ", values.largest,
-      ", expected a signed distance; ", WhatToDo, ".");
+      ", expected a signed distance; ", WhatToDoWithLabels, ".");
+  }
+  if (values.areWhole && values.least >= 0.0F)
+  {
+    refuse("The field has whole numbers from ", values.least, " to ", values.largest,
+      ", as labels are, expected a signed distance; ", WhatToDoWithLabels, ".");
   }
   const double cell = field.grid().spacing.maxCoeff();
   const bool isSigned = values.least < 0.0F && values.largest >= 0.0F;

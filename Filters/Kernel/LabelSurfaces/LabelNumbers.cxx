@@ -171,6 +171,10 @@ NumberedLabels numberLabels(const std::array<Index, 3>& sizes,
   const Execution& execution)
 {
   requireVolume(sizes);
+  if (!std::isfinite(choice.background))
+  {
+    refuse("BackgroundLabel is ", choice.background, ", expected a whole number; labels are.");
+  }
   Numbering numbering(choice);
   NumberedLabels result;
   const GridIndex slice = static_cast<GridIndex>(sizes[0]) * sizes[1];

@@ -243,7 +243,7 @@ LabelSurfaces labelSurfaces(
 {
   if (!(options.smoothingLength >= 0.0) || !std::isfinite(options.smoothingLength))
   {
-    throw InputError("The smoothing length is " + std::to_string(options.smoothingLength) +
+    throw InputError("SmoothingLength is " + std::to_string(options.smoothingLength) +
       " voxels, expected 0 or more; 2 takes the stairs away.");
   }
   return SurfaceMaker(image, options.smoothingLength, execution).make();

@@ -73,7 +73,10 @@ TEST(FieldCheck, SaysWhatIsNoDistance)
   expectSaid(saidOf([](const Vec3& p) { return ball(p) < 0.0 ? 1.0 : 0.0; }), "but 0 and 1");
   expectSaid(saidOf([](const Vec3& p) { return ball(p) < 0.0 ? -1.0 : 1.0; }), "but -1 and 1");
   expectSaid(saidOf([](const Vec3& p) { return ball(p) < 0.0 ? (p.x() < 0.0 ? 1.0 : 3.0) : 0.0; }),
-    "changes by 0 ");
+    "whole numbers from 0 to 3, as labels are");
+  expectSaid(saidOf([](const Vec3& p) { return ball(p) < 0.0 ? 1.0 : 0.0; }), "vtkLabelSurfaces");
+  expectSaid(saidOf([](const Vec3& p) { return ball(p) < 0.0 ? (p.x() < 0.0 ? 0.5 : -3.0) : 7.0; }),
+    "changes by");
   expectSaid(
     saidOf([](const Vec3& p) { return -1000.0 + 1050.0 / (1.0 + std::exp(ball(p) / 0.1)); }),
     "changes by");

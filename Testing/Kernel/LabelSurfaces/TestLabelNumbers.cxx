@@ -66,6 +66,12 @@ TEST(LabelNumbers, RefuseWhatIsNoLabel)
   EXPECT_TRUE(says(refusal({ 0, 0, 1, 0, 3, 0, 0, 0 }, { { 7 }, 0 }), "it has 1, 3"));
 }
 
+TEST(LabelNumbers, RefuseABackgroundThatIsNoNumber)
+{
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(says(refusal(std::vector<double>(8, 1.0), { {}, none }), "BackgroundLabel is nan"));
+}
+
 TEST(LabelNumbers, RefuseASlice)
 {
   const auto ofSlice = [] { numberLabels({ 4, 4, 1 }, [](GridIndex) { return 1.0; }, {}); };

@@ -249,7 +249,7 @@ TEST(LabelSurfaceGeometry, RefusesALengthThatIsNone)
     { -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
   {
     EXPECT_NE(checks::refusalOf([&]() { labelSurfaces(ball(8, 3.0), { length }); })
-                .find("smoothing length"),
+                .find("SmoothingLength is"),
       std::string::npos);
   }
 }
