@@ -17,7 +17,8 @@
  *
  * The first output has the surfaces of all labels, one after another. Each is a closed, oriented
  * manifold that points outwards, without common points with others: a threshold of the cell array
- * `Label` gives one of them whole, and vtkSurfaceEvolution takes them together. The cell array
+ * `Label` gives one of them whole. Filters that join coincident points, as vtkSurfaceEvolution
+ * does, would join labels that touch, and a label that touches itself. The cell array
  * `NeighborLabel` is the label at the other side of each triangle, the background also where the
  * image ends. Voxels of a label hang together by faces; where they meet by an edge or a corner
  * alone, the surface passes twice, with points that coincide. A label that runs out of the image

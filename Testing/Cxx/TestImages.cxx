@@ -14,6 +14,7 @@
 #include "vtkDistanceHierarchy.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"
+#include "vtkLabelSurfaces.h"
 #include "vtkMeshSDF.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -21,6 +22,7 @@
 #include "vtkShrinkWrap.h"
 #include "vtkSurfaceEvolution.h"
 #include "vtkTangentialRedistribution.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
@@ -155,6 +157,52 @@ TEST(Images, WrappedBunny)
   EXPECT_EQ(CountBadEdges(wrap->GetOutput()), 0);
   EXPECT_EQ(EulerCharacteristic(wrap->GetOutput()), 2);
   EXPECT_LT(LargestDistance(wrap->GetOutput(), bunny), 0.02 * bunny->GetLength());
+}
+
+//------------------------------------------------------------------------------
+/// Both halves of a torus of the radii 11 and 5, lying askew, in voxels of size 1.
+vtkSmartPointer<vtkImageData> HalvesOfATorus()
+{
+  const auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(36, 36, 36);
+  vtkNew<vtkUnsignedCharArray> labels;
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    image->GetPoint(i, p);
+    const double x = p[0] - 17.4;
+    const double u = 0.8 * (p[1] - 17.6) - 0.6 * (p[2] - 17.3);
+    const double w = 0.6 * (p[1] - 17.6) + 0.8 * (p[2] - 17.3);
+    const bool isInside = std::hypot(std::hypot(x, u) - 11.0, w) < 5.0;
+    labels->InsertNextValue(static_cast<unsigned char>(!isInside ? 0 : x < 0.3 * u ? 1 : 2));
+  }
+  image->GetPointData()->SetScalars(labels);
+  return image;
+}
+
+//------------------------------------------------------------------------------
+TEST(Images, SurfacesOfLabels)
+{
+  vtkNew<vtkLabelSurfaces> filter;
+  filter->SetInputData(HalvesOfATorus());
+  Picture picture(600, 300, 2);
+  std::array<double, 2> area{};
+  for (int view = 0; view < 2; ++view)
+  {
+    filter->SetSmoothingLength(view == 0 ? 0.0 : 2.0);
+    filter->Update();
+    vtkNew<vtkPolyData> surfaces;
+    surfaces->ShallowCopy(filter->GetOutput());
+    picture.AddEdges(surfaces, view);
+    picture.LookFrom(0.2, 0.3, 1.0, view);
+    area[static_cast<std::size_t>(view)] = AreaOf(surfaces);
+    EXPECT_EQ(CountBadEdges(surfaces), 0);
+  }
+  EXPECT_TRUE(picture.Matches("SurfacesOfLabels"));
+  // Of the torus, and twice the two discs where it is cut.
+  const double exact = 4.0 * M_PI * M_PI * 11.0 * 5.0 + 4.0 * M_PI * 25.0;
+  EXPECT_NEAR(area[1], exact, 0.02 * exact);
+  EXPECT_GT(area[0], 1.3 * exact);
 }
 
 //------------------------------------------------------------------------------
