@@ -119,7 +119,7 @@ ClosestTriangle AABBTree::closest(const Vec3& point, double squaredBound, Index 
   {
     consider(guess);
   }
-  this->Near.visitNear(point, best.squaredDistance,
+  this->visitNear(point, best.squaredDistance,
     [&](Index triangle)
     {
       if (triangle != best.triangle)

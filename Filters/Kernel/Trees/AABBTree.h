@@ -14,6 +14,7 @@
 #include "Mesh/SurfaceMesh.h"
 #include "Trees/BoxNode.h"
 #include "Trees/MeasuredTriangle.h"
+#include "Trees/NeedleTree.h"
 #include "Trees/Ray.h"
 #include "Trees/TriangleGeometry.h"
 #include "Trees/WideBoxTree.h"
@@ -88,6 +89,19 @@ public:
   ClosestTriangle closest(const Vec3& point,
     double squaredBound = std::numeric_limits<double>::infinity(), Index guess = NoIndex) const;
 
+  /**
+   * Calls squaredBound = visit(triangle) for those that may be as near to a point as the bound says
+   * then, and for others: near ones first, some more than once. A negative bound ends it.
+   */
+  template <typename Visit>
+  void visitNear(const Vec3& point, double squaredBound, const Visit& visit) const
+  {
+    double bound = squaredBound;
+    const auto visitAndKeep = [&](Index triangle) { return bound = visit(triangle); };
+    this->Near.visitNear(point, bound, visitAndKeep);
+    this->Needles.visitNear(point, bound, visitAndKeep);
+  }
+
   /// Does a triangle have a point in common with a closed box?
   bool meets(const Box& box) const;
   /// The triangles that have, in ascending order.
@@ -109,7 +123,11 @@ private:
   std::vector<Node> Nodes;
   std::vector<std::int8_t> Levels;
   std::vector<Index> LeafTriangles;
-  WideBoxTree Near; ///< the same for closest()
+  ///@{
+  /// The same for closest(); what is in leaves of many, which could not be split, in the second.
+  WideBoxTree Near;
+  NeedleTree Needles;
+  ///@}
 };
 
 } // namespace evolving

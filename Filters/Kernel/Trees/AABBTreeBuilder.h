@@ -50,6 +50,9 @@ private:
   void buildSubtrees();
   Index append(const UpperNode& upper);
   Index append(const AABBSubtree& subtree);
+  /// The triangles of leaves of many, and all nodes as if those leaves were empty.
+  std::vector<Index> crowdedTriangles() const;
+  std::vector<BoxNode> uncrowdedNodes() const;
 
   AABBTree& Tree;
   const Execution& Run;

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Distance/ClosestPoint/OrientedBox.h"
 #include "Distance/ClosestPoint/OrientedBoxTree.h"
 #include "Errors.h"
 #include "Shapes/MeshVariants.h"
 #include "Shapes/Spheres.h"
 #include "Shapes/Tubes.h"
 #include "ThreadedExecution.h"
+#include "Trees/OrientedBox.h"
 
 #include <gtest/gtest.h>
 

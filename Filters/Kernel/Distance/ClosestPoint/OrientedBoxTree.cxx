@@ -3,7 +3,7 @@
 
 #include "Distance/ClosestPoint/OrientedBoxTree.h"
 
-#include "Distance/ClosestPoint/OrientedBox.h"
+#include "Trees/OrientedBox.h"
 
 #include <algorithm>
 #include <array>

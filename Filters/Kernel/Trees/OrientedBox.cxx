@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Distance/ClosestPoint/OrientedBox.h"
-
-#include "Distance/ClosestPoint/FramedTriangle.h"
+#include "Trees/OrientedBox.h"
 
 #include <cmath>
 
@@ -13,8 +11,9 @@ namespace evolving
 namespace
 {
 
-/// The square of a smaller one would be a number of few digits, and an axis no unit vector.
-constexpr double SmallestNormal = 1e-150;
+/// Of a normal or an edge: the square of a smaller one would be a number of few digits, and an axis
+/// no unit vector.
+constexpr double Shortest = 1e-150;
 
 /// The mean normal whatever the faces' orientations; zero when none has an area.
 Vec3 meanNormal(const std::vector<const Triangle*>& triangles)
@@ -26,7 +25,7 @@ Vec3 meanNormal(const std::vector<const Triangle*>& triangles)
     sum += normal.dot(sum) < 0.0 ? Vec3(-normal) : normal;
   }
   const double length = sum.norm();
-  return length > SmallestNormal && std::isfinite(length) ? Vec3(sum / length) : Vec3(Vec3::Zero());
+  return length > Shortest && std::isfinite(length) ? Vec3(sum / length) : Vec3(Vec3::Zero());
 }
 
 /// The longest edge's direction: the axis of triangles without area.
@@ -93,7 +92,7 @@ Eigen::Matrix3d axesFor(const std::vector<const Triangle*>& triangles)
   }
   const Vec3 edge = longestEdge(triangles);
   const double length = edge.norm();
-  if (length > FramedTriangle::ShortestEdge)
+  if (length > Shortest)
   {
     axes.col(0) = edge / length;
     axes.col(1) = axes.col(0).unitOrthogonal();
