@@ -38,44 +38,44 @@ CurveProximity::CurveProximity(const TargetTriangles& target, const SharpEdges& 
 
 bool CurveProximity::hasOtherNear(Index edge, const Vec3& point, double distance) const
 {
-  const std::vector<Index> others = this->othersIn(edge, point, distance);
-  return std::any_of(others.begin(), others.end(),
+  constexpr double Enough = -1.0; // ends the visit
+  bool isFound = false;
+  this->Tree.visitNear(point, distance * distance,
     [&](Index other)
     {
-      return squaredDistance(this->Target, other, point) < distance * distance &&
-        !this->isNearSharedCorner(
-          this->Network.curveOf(edge), this->Network.curveOf(other), point, distance) &&
-        this->sharePatch(edge, other);
+      isFound = isFound ||
+        (squaredDistance(this->Target, other, point) < distance * distance &&
+          this->isOther(edge, other) &&
+          !this->isNearSharedCorner(
+            this->Network.curveOf(edge), this->Network.curveOf(other), point, distance) &&
+          this->sharePatch(edge, other));
+      return isFound ? Enough : distance * distance;
     });
+  return isFound;
 }
 
 double CurveProximity::distanceToOther(Index edge, const Vec3& point, double reach) const
 {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Index other : this->othersIn(edge, point, reach))
-  {
-    const double distance = std::sqrt(squaredDistance(this->Target, other, point));
-    if (distance < std::min(nearest, reach) && distance > 0.0 &&
-      !this->isNearSharedCorner(
-        this->Network.curveOf(edge), this->Network.curveOf(other), point, distance) &&
-      this->sharePatch(edge, other))
+  this->Tree.visitNear(point, reach * reach,
+    [&](Index other)
     {
-      nearest = distance;
-    }
-  }
+      const double distance = std::sqrt(squaredDistance(this->Target, other, point));
+      if (distance < std::min(nearest, reach) && distance > 0.0 && this->isOther(edge, other) &&
+        !this->isNearSharedCorner(
+          this->Network.curveOf(edge), this->Network.curveOf(other), point, distance) &&
+        this->sharePatch(edge, other))
+      {
+        nearest = distance;
+      }
+      return std::pow(std::min(nearest, reach), 2.0);
+    });
   return nearest;
 }
 
-std::vector<Index> CurveProximity::othersIn(Index edge, const Vec3& point, double distance) const
+bool CurveProximity::isOther(Index edge, Index other) const
 {
-  const Vec3 reach = Vec3::Constant(distance);
-  std::vector<Index> near = this->Tree.edgesIn(Box(point - reach, point + reach));
-  const Index curve = this->Network.curveOf(edge);
-  near.erase(std::remove_if(near.begin(), near.end(),
-               [&](Index other)
-               { return this->Network.curveOf(other) == curve || !this->Sharp.isSharp(other); }),
-    near.end());
-  return near;
+  return this->Network.curveOf(other) != this->Network.curveOf(edge) && this->Sharp.isSharp(other);
 }
 
 bool CurveProximity::isNearSharedCorner(Index c, Index d, const Vec3& point, double distance) const

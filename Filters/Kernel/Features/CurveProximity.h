@@ -37,7 +37,8 @@ public:
   double distanceToOther(Index edge, const Vec3& point, double reach) const;
 
 private:
-  std::vector<Index> othersIn(Index edge, const Vec3& point, double distance) const;
+  /// Is it a crease of another curve?
+  bool isOther(Index edge, Index other) const;
   bool isNearSharedCorner(Index c, Index d, const Vec3& point, double distance) const;
   bool sharePatch(Index edgeA, Index edgeB) const;
 

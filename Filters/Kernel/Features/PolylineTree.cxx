@@ -43,14 +43,4 @@ EdgePoint PolylineTree::closest(const Vec3& point) const
   return { edge, found.at.point, found.at.squaredDistance };
 }
 
-std::vector<Index> PolylineTree::edgesIn(const Box& box) const
-{
-  std::vector<Index> found = this->Tree.trianglesIn(box);
-  for (Index& edge : found)
-  {
-    edge = this->Edges[static_cast<std::size_t>(edge)];
-  }
-  return found;
-}
-
 } // namespace evolving

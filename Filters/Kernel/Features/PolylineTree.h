@@ -37,8 +37,13 @@ public:
   PolylineTree(const TargetTriangles& target, std::vector<Index> edges);
 
   EdgePoint closest(const Vec3& point) const;
-  /// The edges that meet a box.
-  std::vector<Index> edgesIn(const Box& box) const;
+  /// As AABBTree::visitNear(): squaredBound = visit(edge).
+  template <typename Visit>
+  void visitNear(const Vec3& point, double squaredBound, const Visit& visit) const
+  {
+    this->Tree.visitNear(
+      point, squaredBound, [&](Index segment) { return visit(this->Edges[at(segment)]); });
+  }
 
 private:
   std::vector<Index> Edges;
