@@ -21,6 +21,9 @@ double faceShape(const Vec3& a, const Vec3& b, const Vec3& c);
 /// The cosine of the smallest angle: 1/2 for an equilateral triangle, 1 without area.
 double cosineOfSmallestAngle(const Vec3& a, const Vec3& b, const Vec3& c);
 
+/// Is that of a triangle below a limit? The same answer, and mostly without a root.
+bool hasSmallerCosine(const Vec3& a, const Vec3& b, const Vec3& c, double limit);
+
 /// In degrees.
 double smallestAngle(const Vec3& a, const Vec3& b, const Vec3& c);
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -79,29 +80,31 @@ public:
   {
   }
 
-  bool contain(Index v, int round) const
+  bool contain(Index v) const
   {
-    bool isSettled = this->Tried[at(v)] == round - 1 && this->Moved[at(v)] < round - 1;
+    const std::int64_t tried = this->Tried[at(v)];
+    bool isSettled = tried != Never && this->Moved[at(v)] < tried;
     if (isSettled)
     {
       this->Surface.forEachNeighbour(
-        v, [&](Index u) { isSettled = isSettled && this->Moved[at(u)] < round - 1; });
+        v, [&](Index u) { isSettled = isSettled && this->Moved[at(u)] < tried; });
     }
     return isSettled;
   }
 
-  void add(Index v, int round, bool hasMoved)
+  /// @param time larger for later searches of this star and those around it
+  void add(Index v, std::int64_t time, bool hasMoved)
   {
-    this->Tried[at(v)] = round;
-    this->Moved[at(v)] = hasMoved ? round : this->Moved[at(v)];
+    this->Tried[at(v)] = time;
+    this->Moved[at(v)] = hasMoved ? time : this->Moved[at(v)];
   }
 
 private:
-  static constexpr int Never = -2;
+  static constexpr std::int64_t Never = -1;
 
   const EditableSurface& Surface;
-  std::vector<int> Tried; ///< the last round in which a vertex was searched for a better place
-  std::vector<int> Moved; ///< the last one in which it has found one
+  std::vector<std::int64_t> Tried; ///< when a vertex was last searched for a better place
+  std::vector<std::int64_t> Moved; ///< when it has last found one
 };
 
 } // namespace
@@ -139,15 +142,18 @@ Index optimizeStars(EditableSurface& surface, const ReferenceSurface& reference,
     execution.report(static_cast<double>(round) / rounds);
     const auto vertices = verticesOfBadFaces(surface, limit);
     std::vector<char> hasMoved(vertices.size(), 0);
+    const std::int64_t time = std::int64_t(round) * surface.vertexSlots();
     runInOrder(
       vertices.size(), [&](std::size_t i) { return edgesAt(surface, vertices[i].second); },
       surface.edgeSlots(), StarGrain,
       [&](std::size_t i)
       {
         const Index v = vertices[i].second;
-        hasMoved[i] =
-          !settled.contain(v, round) && StarSearch(surface, reference).improve(v) ? 1 : 0;
-        settled.add(v, round, hasMoved[i] != 0);
+        if (!settled.contain(v))
+        {
+          hasMoved[i] = StarSearch(surface, reference).improve(v) ? 1 : 0;
+          settled.add(v, time + static_cast<std::int64_t>(i), hasMoved[i] != 0);
+        }
       },
       execution);
     const auto moved = static_cast<Index>(std::count(hasMoved.begin(), hasMoved.end(), 1));

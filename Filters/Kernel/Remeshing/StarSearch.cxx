@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace evolving
 {
@@ -58,24 +59,38 @@ bool StarSearch::improve(Index v)
 double StarSearch::worstCosine(Index v) const
 {
   double worst = 0.0;
-  this->Surface.forEachOutgoing(
-    v, [&](Index e) { worst = std::max(worst, this->cosineBeside(v, e)); });
+  this->Surface.forEachOutgoing(v,
+    [&](Index e)
+    {
+      worst = std::max(worst,
+        cosineOfSmallestAngle(this->Surface.point(v), this->Surface.point(this->Surface.to(e)),
+          this->Surface.point(this->Surface.apex(e))));
+    });
   return worst;
 }
 
-/// The first face that is no better says it: most tries fail.
-bool StarSearch::isBetter(Index v) const
+double StarSearch::worstCosineAt(const Vec3& point) const
 {
-  bool isBetter = this->Worst > 0.0;
-  this->Surface.forEachOutgoing(
-    v, [&](Index e) { isBetter = isBetter && this->cosineBeside(v, e) < this->Worst; });
-  return isBetter;
+  double worst = 0.0;
+  for (const auto& [from, to] : this->Rim)
+  {
+    worst = std::max(worst, cosineOfSmallestAngle(point, from, to));
+  }
+  return worst;
 }
 
-double StarSearch::cosineBeside(Index v, Index e) const
+/// The first face that is no better says it: most tries fail, and at the face where the last did.
+bool StarSearch::isBetter(const Vec3& point)
 {
-  return cosineOfSmallestAngle(this->Surface.point(v), this->Surface.point(this->Surface.to(e)),
-    this->Surface.point(this->Surface.apex(e)));
+  for (std::array<Vec3, 2>& side : this->Rim)
+  {
+    if (!hasSmallerCosine(point, side[0], side[1], this->Worst))
+    {
+      std::swap(side, this->Rim.front());
+      return false;
+    }
+  }
+  return this->Worst > 0.0;
 }
 
 void StarSearch::begin(Index v)
@@ -86,13 +101,16 @@ void StarSearch::begin(Index v)
   this->Normal = normal;
   this->Label = 0;
   this->OldAreas.clear();
+  this->Rim.clear();
   this->Surface.forEachOutgoing(v,
     [&](Index e)
     {
       this->Label = this->Surface.label(EditableSurface::faceOf(e));
       this->OldAreas.push_back(this->Surface.doubleArea(EditableSurface::faceOf(e)));
+      this->Rim.push_back(
+        { this->Surface.point(this->Surface.to(e)), this->Surface.point(this->Surface.apex(e)) });
     });
-  this->Worst = this->worstCosine(v);
+  this->Worst = this->worstCosineAt(this->Surface.point(v));
   const ReferenceSurface::Foot foot = this->foot(this->Surface.point(v), this->Surface.guess(v));
   this->Height =
     this->Curve == NoIndex ? (this->Surface.point(v) - foot.point).dot(foot.normal) : 0.0;
@@ -127,16 +145,16 @@ bool StarSearch::tryMove(Index v, const Vec3& move)
   const Vec3 before = this->Surface.point(v);
   const Index guess = this->Surface.guess(v);
   // Most tries fail already in the tangent plane: the search for the foot is what costs.
-  this->Surface.setPoint(v, before + move);
-  if (this->isBetter(v))
+  if (!this->isBetter(before + move))
   {
-    this->place(v, before + move);
-    const double worst = this->worstCosine(v);
-    if (worst < this->Worst - LeastGain && this->isUpright(v))
-    {
-      this->Worst = worst;
-      return true;
-    }
+    return false;
+  }
+  this->place(v, before + move);
+  const double worst = this->worstCosineAt(this->Surface.point(v));
+  if (worst < this->Worst - LeastGain && this->isUpright(v))
+  {
+    this->Worst = worst;
+    return true;
   }
   this->Surface.setPoint(v, before);
   this->Surface.setGuess(v, guess);

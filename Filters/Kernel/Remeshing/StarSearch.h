@@ -13,6 +13,7 @@
 #include "Remeshing/ReferenceSurface.h"
 #include "Types.h"
 
+#include <array>
 #include <vector>
 
 namespace evolving
@@ -35,8 +36,8 @@ public:
   double worstCosine(Index v) const;
 
 private:
-  double cosineBeside(Index v, Index e) const;
-  bool isBetter(Index v) const;
+  bool isBetter(const Vec3& point);
+  double worstCosineAt(const Vec3& point) const;
   void begin(Index v);
   ReferenceSurface::Foot foot(const Vec3& point, Index guess) const;
   bool searchAt(Index v, double move);
@@ -52,6 +53,7 @@ private:
   double Worst = 0.0;
   double Height = 0.0;
   std::vector<Vec3> OldAreas;
+  std::vector<std::array<Vec3, 2>> Rim; ///< what each face has across from the vertex
 };
 
 } // namespace evolving

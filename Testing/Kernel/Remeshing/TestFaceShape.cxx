@@ -107,4 +107,28 @@ TEST(Barycentric, WeightsGiveThePointBack)
   }
 }
 
+TEST(FaceShape, CosinesAreComparedAsIfTheyWereComputed)
+{
+  std::mt19937 random(13);
+  std::normal_distribution<double> normal;
+  const auto somewhere = [&] { return Vec3(normal(random), normal(random), normal(random)); };
+  for (const double scale : { 1e-80, 1e-20, 1.0, 1e20 })
+  {
+    for (int n = 0; n < 500; ++n)
+    {
+      const Vec3 a = scale * somewhere();
+      const Vec3 b = scale * somewhere();
+      const Vec3 c = n % 5 == 0 ? b : Vec3(scale * somewhere()); // some without area
+      const double cosine = cosineOfSmallestAngle(a, b, c);
+      const double others = cosineOfSmallestAngle(b, scale * somewhere(), c);
+      for (const double limit : { cosine, std::nextafter(cosine, 0.0), std::nextafter(cosine, 2.0),
+             (1.0 + 1e-13) * cosine, (1.0 + 1e-11) * cosine, others, 0.0, -1.0 })
+      {
+        ASSERT_EQ(hasSmallerCosine(a, b, c, limit), cosine < limit)
+          << "scale " << scale << ", cosine " << cosine << ", limit " << limit;
+      }
+    }
+  }
+}
+
 } // namespace

@@ -5,8 +5,10 @@
 
 #include "Mesh/MeshQuality.h"
 #include "Remeshing/EditingChecks.h"
+#include "Remeshing/FaceShape.h"
 #include "Remeshing/ReferenceSurface.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Remeshing/StarSearch.h"
 #include "Shapes/MeshVariants.h"
 #include "Shapes/Spheres.h"
 #include "StartSurface/PrimitiveSurfaces.h"
@@ -18,6 +20,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -77,6 +81,70 @@ TEST(StarOptimization, HeightsStay)
   {
     ASSERT_NEAR(surface.point(v).norm(), 1.0 + 0.002 * std::sin(17.0 * v), 1e-12);
   }
+}
+
+/// Every bad star is searched in every round, whatever has moved.
+void optimizeAll(
+  EditableSurface& surface, const ReferenceSurface& reference, double degrees, int rounds)
+{
+  for (int round = 0; round < rounds; ++round)
+  {
+    std::map<Index, double> angles;
+    for (Index f = 0; f < surface.faceSlots(); ++f)
+    {
+      for (Index k = 0; k < 3; ++k)
+      {
+        double& angle = angles.emplace(surface.from(3 * f + k), 60.0).first->second;
+        angle = std::min(angle, smallestAngle(surface, f));
+      }
+    }
+    std::vector<std::pair<double, Index>> vertices;
+    for (const auto& [v, angle] : angles)
+    {
+      if (angle < degrees)
+      {
+        vertices.emplace_back(angle, v);
+      }
+    }
+    std::sort(vertices.begin(), vertices.end());
+    for (const auto& [angle, v] : vertices)
+    {
+      StarSearch(surface, reference).improve(v);
+    }
+  }
+}
+
+TEST(StarOptimization, LeavesOutOnlyWhatWouldChangeNothing)
+{
+  constexpr double Unreachable = 57.0; // so that rounds go on
+  const SphereWithEquator reference;
+  for (const unsigned seed : { 8U, 9U })
+  {
+    EditableSurface surface = shapes::sized(shapes::shakenSphere(3, 0.2, seed), 0.14);
+    EditableSurface expected = surface;
+    optimizeAll(expected, reference, Unreachable, 20);
+    optimizeStars(surface, reference, Unreachable, 20);
+    for (const Index v : verticesOf(surface))
+    {
+      ASSERT_EQ(surface.point(v), expected.point(v)) << "vertex " << v;
+    }
+  }
+}
+
+TEST(StarSearch, MovesOnlyWhereTheSmallestAngleOfTheStarGrows)
+{
+  EditableSurface surface = shakenSphere(10);
+  const SphereWithEquator reference;
+  StarSearch search(surface, reference);
+  Index moves = 0;
+  for (const Index v : verticesOf(surface))
+  {
+    const double before = search.worstCosine(v);
+    const bool hasMoved = search.improve(v);
+    moves += hasMoved ? 1 : 0;
+    EXPECT_TRUE(hasMoved ? search.worstCosine(v) < before : search.worstCosine(v) == before) << v;
+  }
+  EXPECT_GT(moves, 500);
 }
 
 TEST(StarOptimization, OnlyBadStarsMove)
