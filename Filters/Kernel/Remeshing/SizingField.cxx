@@ -45,6 +45,25 @@ void setSizes(EditableSurface& surface, const std::vector<double>& curvatures,
   gradeSizes(surface, sizing.gradation);
 }
 
+double grownOver(const EditableSurface& surface, Index u, Index v, double gradation)
+{
+  return gradation * (surface.point(u) - surface.point(v)).norm();
+}
+
+/// For the size of a neighbour. Most are not, and what is not now can only become so by being
+/// lowered.
+bool isTooSmallBeside(const EditableSurface& surface, Index v, double gradation)
+{
+  bool isTooSmall = false;
+  surface.forEachNeighbour(v,
+    [&](Index u)
+    {
+      isTooSmall =
+        isTooSmall || surface.size(u) > surface.size(v) + grownOver(surface, u, v, gradation);
+    });
+  return isTooSmall;
+}
+
 } // namespace
 
 void gradeSizes(EditableSurface& surface, double gradation)
@@ -53,7 +72,7 @@ void gradeSizes(EditableSurface& surface, double gradation)
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   for (Index v = 0; v < surface.vertexSlots(); ++v)
   {
-    if (surface.hasVertex(v))
+    if (surface.hasVertex(v) && isTooSmallBeside(surface, v, gradation))
     {
       queue.emplace(surface.size(v), v);
     }
@@ -69,7 +88,7 @@ void gradeSizes(EditableSurface& surface, double gradation)
     surface.forEachNeighbour(v,
       [&, size = size, v = v](Index u)
       {
-        const double most = size + gradation * (surface.point(u) - surface.point(v)).norm();
+        const double most = size + grownOver(surface, u, v, gradation);
         if (surface.size(u) > most)
         {
           surface.setSize(u, most);

@@ -20,6 +20,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
+#include <utility>
 #include <vector>
 
 namespace
@@ -54,6 +56,47 @@ SurfaceMesh closedTube()
     mesh.addFace({ Around * Along + i, Around * Along + j, top });
   }
   return mesh;
+}
+
+/// Over every edge, again and again.
+void gradeByAllEdges(EditableSurface& surface, double gradation)
+{
+  for (bool hasChanged = true; hasChanged;)
+  {
+    hasChanged = false;
+    for (Index e = 0; e < surface.edgeSlots(); ++e)
+    {
+      for (const auto& [v, u] : { std::pair{ surface.from(e), surface.to(e) },
+             std::pair{ surface.to(e), surface.from(e) } })
+      {
+        const double most =
+          surface.size(v) + gradation * (surface.point(u) - surface.point(v)).norm();
+        hasChanged = hasChanged || surface.size(u) > most;
+        surface.setSize(u, std::min(surface.size(u), most));
+      }
+    }
+  }
+}
+
+TEST(SizingField, IsGradedAsOverAllEdges)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> exponent(-4.0, 0.0);
+  for (const double gradation : { 0.1, 0.5 })
+  {
+    EditableSurface surface(shapes::shakenSphere(4, 0.2, 1));
+    for (Index v = 0; v < surface.vertexSlots(); ++v)
+    {
+      surface.setSize(v, v % 9 == 0 ? std::pow(10.0, exponent(random)) : 1.0);
+    }
+    EditableSurface expected = surface;
+    gradeByAllEdges(expected, gradation);
+    gradeSizes(surface, gradation);
+    for (Index v = 0; v < surface.vertexSlots(); ++v)
+    {
+      ASSERT_EQ(surface.size(v), expected.size(v)) << "vertex " << v;
+    }
+  }
 }
 
 TEST(SizingField, OnASphereIsThatOfItsCurvature)
