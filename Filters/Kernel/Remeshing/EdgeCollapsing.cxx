@@ -3,6 +3,8 @@
 
 #include "Remeshing/EdgeCollapsing.h"
 
+#include "Remeshing/FailedCollapses.h"
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -69,6 +71,10 @@ public:
 
   bool tryEdge(Index e)
   {
+    if (!this->Surface.canCollapse(e))
+    {
+      return false; // neither into one end nor into the other
+    }
     const Mobility from = mobilityOf(this->Surface, this->Surface.from(e));
     const Mobility to = mobilityOf(this->Surface, this->Surface.to(e));
     const auto mayVanish = [&](Mobility m)
@@ -86,10 +92,13 @@ public:
     return to <= from && mayVanish(to) && (o != NoIndex ? this->tryInto(o) : this->tryOutOf(e));
   }
 
+  bool tryFrom(Index e) { return this->Surface.canCollapse(e) && this->tryInto(e); }
+
+private:
   bool tryInto(Index e)
   {
     const Index kept = this->Surface.to(e);
-    if (!this->Surface.canCollapse(e) || !this->isWithinCut(e, this->Surface.from(e), kept) ||
+    if (!this->isWithinCut(e, this->Surface.from(e), kept) ||
       !this->Criteria.accepts(e, kept, this->Surface.point(kept)))
     {
       return false;
@@ -98,13 +107,12 @@ public:
     return true;
   }
 
-private:
   bool tryMiddle(Index e)
   {
     const Index kept = this->Surface.to(e);
     const Vec3 middle =
       0.5 * (this->Surface.point(this->Surface.from(e)) + this->Surface.point(kept));
-    if (!this->Surface.canCollapse(e) || !this->Criteria.accepts(e, kept, middle))
+    if (!this->Criteria.accepts(e, kept, middle))
     {
       return false;
     }
@@ -118,7 +126,7 @@ private:
   {
     const Index kept = this->Surface.from(e);
     const Index heir = this->Surface.to(e);
-    if (!this->Surface.canCollapse(e) || !this->isWithinCut(e, heir, kept) ||
+    if (!this->isWithinCut(e, heir, kept) ||
       !this->Criteria.accepts(e, kept, this->Surface.point(kept)))
     {
       return false;
@@ -149,6 +157,7 @@ Index collapseShortEdges(EditableSurface& surface, double ratio, const CollapseL
   const auto relativeLength = [&surface](Index e)
   { return surface.length(e) / surface.size(surface.from(e), surface.to(e)); };
   Collapser collapser(surface, guards);
+  FailedCollapses failed(surface);
   Index collapses = 0;
   std::vector<std::pair<double, Index>> edges;
   for (int sweep = 0; sweep < MostSweeps; ++sweep)
@@ -165,10 +174,19 @@ Index collapseShortEdges(EditableSurface& surface, double ratio, const CollapseL
     Index done = 0;
     for (const auto& [length, e] : edges)
     {
-      if (surface.hasEdge(e) && relativeLength(e) < ratio && collapser.tryEdge(e))
+      if (!surface.hasEdge(e) || relativeLength(e) >= ratio || failed.contain(e))
       {
-        ++done;
+        continue;
       }
+      const Index from = surface.from(e);
+      const Index to = surface.to(e);
+      if (!collapser.tryEdge(e))
+      {
+        failed.add(e);
+        continue;
+      }
+      failed.addCollapse(surface.hasVertex(to) ? to : from);
+      ++done;
     }
     collapses += done;
     if (done == 0)
@@ -193,7 +211,7 @@ Index collapseLowValences(EditableSurface& surface, const CollapseLimits& guards
     surface.forEachOutgoing(v, [&](Index e) { edges.emplace_back(surface.length(e), e); });
     std::sort(edges.begin(), edges.end());
     const bool isGone = std::any_of(edges.begin(), edges.end(),
-      [&](const auto& entry) { return collapser.tryInto(entry.second); });
+      [&](const auto& entry) { return collapser.tryFrom(entry.second); });
     collapses += isGone ? 1 : 0;
   }
   return collapses;
