@@ -56,6 +56,11 @@ double SheetOpenness::reachableFrom(Index triangle, const Vec3& point, const Vec
 
 double SheetOpenness::at(Index triangle, const Vec3& point) const
 {
+  return this->above(0.0, triangle, point);
+}
+
+double SheetOpenness::above(double least, Index triangle, const Vec3& point) const
+{
   const Triangle& t = this->Tree.triangle(triangle);
   const double radius = this->Region.radius();
   const Vec3 normal = t.doubleAreaNormal().stableNormalized();
@@ -68,25 +73,24 @@ double SheetOpenness::at(Index triangle, const Vec3& point) const
   {
     return 0.0;
   }
-  const double above = this->reachableFrom(triangle, place, normal);
-  return above > 0.0 ? above * this->reachableFrom(triangle, place, -normal) : 0.0;
+  const double onOneSide = this->reachableFrom(triangle, place, normal);
+  return onOneSide > least ? onOneSide * this->reachableFrom(triangle, place, -normal) : 0.0;
 }
 
 SidesOpen SheetOpenness::sidesOf(Index triangle) const
 {
   const Triangle& t = this->Tree.triangle(triangle);
   const auto places = placesOf(t);
-  const auto isOpen = [&](const Vec3& p) { return at(triangle, p) > SurelyOpen; };
+  const auto isOpen = [&](const Vec3& p)
+  { return this->above(SurelyOpen, triangle, p) > SurelyOpen; };
   if (t.box().diagonal().norm() < this->Region.radius())
   {
     return isOpen(places.back()) ? SidesOpen::Both : SidesOpen::One; // as small as a place
   }
-  const auto open = std::count_if(places.begin(), places.end(), isOpen);
-  if (open == 0)
-  {
-    return SidesOpen::One;
-  }
-  return open == static_cast<std::ptrdiff_t>(places.size()) ? SidesOpen::Both : SidesOpen::Varying;
+  const bool isFirstOpen = isOpen(places.front());
+  const bool areAlike = std::all_of(
+    places.begin() + 1, places.end(), [&](const Vec3& p) { return isOpen(p) == isFirstOpen; });
+  return areAlike ? (isFirstOpen ? SidesOpen::Both : SidesOpen::One) : SidesOpen::Varying;
 }
 
 } // namespace evolving

@@ -39,6 +39,8 @@ public:
   SidesOpen sidesOf(Index triangle) const;
 
 private:
+  /// The same, and 0 for what is not above a value.
+  double above(double least, Index triangle, const Vec3& point) const;
   double reachableFrom(Index triangle, const Vec3& point, const Vec3& side) const;
 
   const AABBTree& Tree;

@@ -4,10 +4,12 @@
 #include "ShrinkWrap/SheetOpenness.h"
 
 #include "ShrinkWrap/SheetShapes.h"
+#include "ShrinkWrap/TrianglePlaces.h"
 #include "StartSurface/PrimitiveSurfaces.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -31,6 +33,26 @@ std::vector<double> openness(const ReachedTarget& target)
 }
 
 } // namespace
+
+TEST(SheetOpenness, OfATriangleIsThatOfAllItsPlaces)
+{
+  const ReachedTarget target(shapes::merged(coveredPlate(3), plate(3, -0.7)));
+  const SheetOpenness sides(target.tree, target.region);
+  int counts[3] = {};
+  for (Index t = 0; t < target.tree.triangleCount(); ++t)
+  {
+    const auto places = placesOf(target.tree.triangle(t));
+    const bool isSmall = target.tree.triangle(t).box().diagonal().norm() < target.region.radius();
+    const auto open = std::count_if(isSmall ? places.end() - 1 : places.begin(), places.end(),
+      [&](const Vec3& p) { return sides.at(t, p) > 0.5; });
+    const SidesOpen expected = open == 0
+      ? SidesOpen::One
+      : (open == (isSmall ? 1 : 7) ? SidesOpen::Both : SidesOpen::Varying);
+    EXPECT_EQ(sides.sidesOf(t), expected) << t;
+    ++counts[static_cast<int>(expected)];
+  }
+  EXPECT_GT(*std::min_element(counts, counts + 3), 0) << counts[0] << counts[1] << counts[2];
+}
 
 TEST(SheetOpenness, OfASheetAloneIsOneEverywhere)
 {
