@@ -65,13 +65,35 @@ Extent extentAlong(
   return extent;
 }
 
-/// A quick look that is right when it says yes: a plane between the triangles keeps them apart.
-bool areClearlyApart(const TriangleCorners& t, const TriangleCorners& s)
+Vec3 longestEdge(const TriangleCorners& t)
 {
-  const Vec3 direction = (s[0] + s[1] + s[2]) - (t[0] + t[1] + t[2]);
+  Vec3 longest = t[0] - t[2];
+  for (const Vec3& edge : { Vec3(t[1] - t[0]), Vec3(t[2] - t[1]) })
+  {
+    longest = edge.squaredNorm() > longest.squaredNorm() ? edge : longest;
+  }
+  return longest;
+}
+
+bool areClearlyApartAlong(const Vec3& direction, const TriangleCorners& t, const TriangleCorners& s)
+{
   const Extent first = extentAlong(direction, t[0], t, 0);
   const Extent second = extentAlong(direction, t[0], s, 0);
   return second.low - second.error > first.high + first.error;
+}
+
+/// A quick look that is right when it says yes: a plane between the triangles keeps them apart.
+/// Needles side by side, of which one begins where the other ends, have one along them.
+bool areClearlyApart(const TriangleCorners& t, const TriangleCorners& s)
+{
+  const Vec3 direction = (s[0] + s[1] + s[2]) - (t[0] + t[1] + t[2]);
+  if (areClearlyApartAlong(direction, t, s))
+  {
+    return true;
+  }
+  const Vec3 along = longestEdge(t);
+  const Vec3 across = direction - along.dot(direction) / along.squaredNorm() * along;
+  return areClearlyApartAlong(across, t, s);
 }
 
 /// The same with corner 0 shared: only there do the triangles touch the plane between them.
