@@ -111,6 +111,7 @@ run_all()
   "$programs/TimingStudy" "$scan"
   "$programs/ScalingStudy" "$scan" ${dragon_file:+"$dragon_file"}
   "$programs/MemoryStudy" "$scan"
+  "$programs/NeedleStudy"
   "$programs/SplitCost" "$scan"
   "$programs/ErrorStudy" "$scan"
   "$programs/AccuracyStudy" "${meshes[@]}"
