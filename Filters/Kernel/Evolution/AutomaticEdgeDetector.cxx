@@ -21,6 +21,9 @@ namespace
 
 /// In samples; variance 0.64, that of central differences is a third.
 constexpr double Smoothing = 0.8;
+/// Variances, in squared samples: of central differences, and of what a sample is the mean over.
+constexpr double OfDifferences = 1.0 / 3.0;
+constexpr double OfSamples = 1.0 / 12.0;
 /// Of the gradients that are not zero, the part that is taken for noise; few enough that an image
 /// may have more edges than flat places.
 constexpr double NoisePart = 0.1;
@@ -220,8 +223,10 @@ EdgeDetector automaticEdgeDetector(const ScalarImage& image, const Execution& ex
     const double excess = std::max(0.0, double(value) * value - noise * noise);
     value = static_cast<float>(1.0 / (1.0 + sharpness * excess));
   }
+  const double blur =
+    (Smoothing * Smoothing + OfDifferences + OfSamples) * image.grid().spacing.squaredNorm() / 3.0;
   return { std::make_shared<const ScalarImage>(image.grid(), std::move(slope), image.axes()),
-    sharpness / (unit * unit), noise * unit };
+    sharpness / (unit * unit), noise * unit, blur };
 }
 
 } // namespace evolving

@@ -18,7 +18,8 @@ namespace evolving
  * e = 1 / (1 + K max(0, |grad (G * I)|^2 - n^2)), with numbers from the image:
  *
  * - G is a Gaussian of 0.8 samples, for noise; with the differences that follow it blurs by about
- *   one sample, which moves the edge of a ball of radius r inwards by 1 / r samples.
+ *   one sample, which moves the edge of a ball of radius r inwards by 1 / r samples:
+ * onBlurredEdges() makes that good.
  * - n, the largest gradient that noise may have: e is flat where there is no edge, so that noise
  *   neither holds a surface nor drives it. 10 % of the gradients of Gaussian noise are below 0.76
  *   of a component's standard deviation, 1 in 100,000 is above 5 of them; n is these 5 deviations

@@ -68,6 +68,7 @@ ControlField::ControlField(
     const EdgeDetector edges = edgesOf(*this->Field, options.edgeSharpness, execution);
     this->Field = edges.e;
     this->EdgeSharpness = edges.sharpness;
+    this->EdgeBlur = edges.blur;
   }
   this->NearTarget = options.unsignedField ? 2.0 * this->Field->grid().spacing.maxCoeff() : 0.0;
 }

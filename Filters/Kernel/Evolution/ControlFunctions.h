@@ -78,8 +78,17 @@ public:
   /// The field's values at points; empty without one.
   std::vector<double> valuesAt(const std::vector<Vec3>& points, const Execution& execution) const;
 
+  /// The field where it is the distance from a target, else null.
+  const ScalarImage* target() const
+  {
+    return this->Options.fieldMode == FieldMode::DistanceField ? this->Field.get() : nullptr;
+  }
+
   /// Of FieldMode::Image: as the options say, or the automatic one; else 0. In absolute units.
   double edgeSharpness() const { return this->EdgeSharpness; }
+
+  /// EdgeDetector::blur of an automatic one, else 0.
+  double edgeBlur() const { return this->EdgeBlur; }
 
   /**
    * Limits the move by eta of an edge detector to one cell per step: a longer one jumps over
@@ -96,6 +105,7 @@ private:
   std::shared_ptr<const ScalarImage> Field;
   FlowOptions Options;
   double EdgeSharpness = 0.0;
+  double EdgeBlur = 0.0;
   double NearTarget = 0.0; ///< |d| below which an unsigned field has D = 0
 };
 

@@ -23,6 +23,7 @@ struct EdgeDetector
   std::shared_ptr<const ScalarImage> e;
   double sharpness = 0.0; ///< K, length^2 / intensity^2
   double noise = 0.0;     ///< n, intensity / length, see automaticEdgeDetector()
+  double blur = 0.0;      ///< variance by which its edges are blurred, an area; see BlurredEdges.h
 };
 
 /**

@@ -5,6 +5,7 @@
 
 #include "Errors.h"
 #include "Evolution/AdvectionLimit.h"
+#include "Evolution/BlurredEdges.h"
 #include "Mesh/VertexNormals.h"
 #include "ParallelLoops.h"
 #include "VolumeFlows/VolumeFlux.h"
@@ -76,7 +77,9 @@ void VertexMotion::evaluateFlow(const Execution& execution)
 {
   this->Vanished.update(this->Mesh);
   this->Geometry.update(this->Mesh, execution);
-  this->Controls = this->Field.evaluate(this->Mesh.points, this->Geometry.normals(), execution);
+  this->Controls =
+    this->Field.evaluate(onBlurredEdges(this->Mesh, this->Geometry, this->Field.edgeBlur()),
+      this->Geometry.normals(), execution);
   if (this->Options.flow == Flow::SurfaceDiffusion)
   {
     this->takeDiffusion(execution);
