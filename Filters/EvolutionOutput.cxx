@@ -144,6 +144,13 @@ void EvolutionOutput::WriteState(std::size_t i, vtkPolyData* output,
 }
 
 //------------------------------------------------------------------------------
+std::shared_ptr<const evolving::FlowState> EvolutionOutput::LastState(
+  const evolving::Execution& execution)
+{
+  return this->Series.state(this->Series.iterations().size() - 1, execution);
+}
+
+//------------------------------------------------------------------------------
 evolving::SurfaceMesh EvolutionOutput::Mesh(std::size_t i, const evolving::Execution& execution)
 {
   return this->Series.state(i, execution)->mesh();

@@ -46,6 +46,8 @@ public:
   void WriteState(std::size_t i, vtkPolyData* output, const evolving::Execution& execution,
     const WriteData& writeData = {});
 
+  /// The last state reached, as the kernel has it.
+  std::shared_ptr<const evolving::FlowState> LastState(const evolving::Execution& execution);
   /// The state published as number i, as the kernel has it.
   evolving::SurfaceMesh Mesh(std::size_t i, const evolving::Execution& execution);
 

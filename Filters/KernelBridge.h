@@ -22,6 +22,8 @@
 #include "Evolution/StateSeries.h"
 #include "Evolution/SurfaceFlow.h"
 #include "Evolution/SurfaceRemesher.h"
+#include "Evolution/UnreachedTarget.h"
+#include "Evolution/ZeroLevel.h"
 #include "Execution.h"
 #include "LabelSurfaces/LabelNumbers.h"
 #include "LabelSurfaces/LabelSurfaces.h"

@@ -23,7 +23,9 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include <string>
 #include <tuple>
+#include <vector>
 
 vtkStandardNewMacro(vtkSurfaceEvolution);
 
@@ -46,6 +48,7 @@ struct vtkSurfaceEvolution::Cache
 {
   std::unique_ptr<EvolutionStart> Start;
   MisfitWarning Misfits;
+  std::vector<std::string> Shortcomings; ///< of the last state, a sentence each
 };
 
 //------------------------------------------------------------------------------
@@ -256,6 +259,10 @@ void vtkSurfaceEvolution::WriteState(
   {
     KernelBridge::AddFieldValue(output, "EdgeSharpness", sharpness);
   }
+  if (!cache.Shortcomings.empty())
+  {
+    KernelBridge::AddFieldStrings(output, "Shortcomings", cache.Shortcomings);
+  }
   TimeSteps::Mark(output, times[step]);
 }
 
@@ -280,6 +287,8 @@ std::unique_ptr<EvolutionOutput> vtkSurfaceEvolution::Solve(vtkPolyData* input, 
   std::shared_ptr<evolving::Remesher> remesher;
   if (remeshing)
   {
+    const bool hasTarget = image && options.fieldMode == evolving::FieldMode::DistanceField;
+    remeshing->targetArea = hasTarget ? evolving::zeroLevelArea(*image) : 0.0;
     remesher = std::make_shared<evolving::SurfaceRemesher>(*start, *remeshing);
   }
   const std::size_t imageBytes = image ? image->values().size() * sizeof(float) : 0;
@@ -296,19 +305,41 @@ std::unique_ptr<EvolutionOutput> vtkSurfaceEvolution::Solve(vtkPolyData* input, 
   {
     KernelBridge::WarnOfDoubles(this);
   }
-  if (const int steps = series->Flow().stepsWithoutRedistribution())
+  this->WarnOfEnd(image.get(), options, *series, execution);
+  return series;
+}
+
+//------------------------------------------------------------------------------
+/// Says what of the flow's end is not as a user would expect.
+void vtkSurfaceEvolution::WarnOfEnd(const evolving::ScalarImage* field,
+  const evolving::FlowOptions& options, EvolutionOutput& series,
+  const evolving::Execution& execution)
+{
+  const evolving::StateSeries& flow = series.Flow();
+  if (const int steps = flow.stepsWithoutRedistribution())
   {
     vtkWarningMacro(
       "The volume-based redistribution has no potential on degenerate elements, as at a "
       "neck that pinches off: "
-      << steps << " of " << series->Flow().lastIteration()
+      << steps << " of " << flow.lastIteration()
       << " steps went without it, expected none; switch Remeshing on.");
   }
-  if (!series->Flow().stopReason().empty())
+  this->Solved->Shortcomings.clear();
+  if (field && options.fieldMode == evolving::FieldMode::DistanceField)
   {
-    vtkErrorMacro(<< series->Flow().stopReason());
+    const auto last = series.LastState(execution.phase(1.0, 1.0));
+    const std::string left = evolving::unreachedInWords(*field, *last,
+      flow.history().front().maxDistance, options.advectionSpeed, execution.phase(1.0, 1.0));
+    if (!left.empty())
+    {
+      vtkWarningMacro(<< left);
+      this->Solved->Shortcomings.push_back(left);
+    }
   }
-  return series;
+  if (!flow.stopReason().empty())
+  {
+    vtkErrorMacro(<< flow.stopReason());
+  }
 }
 
 //------------------------------------------------------------------------------

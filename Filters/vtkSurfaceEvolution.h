@@ -35,10 +35,12 @@
  * field), Normals, MeanCurvature, CoVolume, NormalVelocity, TangentialVelocity,
  * RedistributionPotential; at the boundary MeanCurvature contains the pull along the surface. Field
  * data: Iteration, Time, TimeStep, Area, Volume, MeanDistance, MaxDistance, MinAngle; EdgeSharpness
- * of an IMAGE; and, where
- * that happened, Stopped, the step after which the flow could not go on, ExtinctionTime, or
- * StepsWithoutRedistribution, the number of steps in which elements were so degenerate that the
- * volume-based redistribution could not be computed.
+ * of an IMAGE; and, where that happened, Stopped, the step after which the flow could not go on,
+ * ExtinctionTime, StepsWithoutRedistribution, the number of steps in which elements were so
+ * degenerate that the volume-based redistribution could not be computed, or Shortcomings, what the
+ * last state has not reached of a distance field's zero level, which a warning says too: membranes
+ * over holes and between parts, which a flow never opens, and what of the level is farther from the
+ * surface than an edge of it and two cells, with places and sizes.
  *
  * Point and cell data of the input go with the points: they are as they are while the elements are
  * the start's (of coincident points those of the first). A point of new elements has the data of
@@ -92,6 +94,7 @@ class vtkPolyData;
 namespace evolving
 {
 class Execution;
+class ScalarImage;
 struct FlowOptions;
 struct SurfaceRemeshingOptions;
 }
@@ -175,9 +178,10 @@ public:
    * Length of a time step tau. 0, the default, is an automatic one, with which NumberOfSteps steps
    * lead as far as one wants to see: without a field half of what a sphere-like surface takes to
    * shrink to a point (with a boundary, until the minimal surface is reached), with a distance
-   * field until a thousandth of the distance is left, where volumes are held until a thousandth of
-   * what differs from a ball is left, with an image until the start itself
-   * would have vanished. The value is in the field data, TimeStep. The range is 0 to 1e12.
+   * field until a thousandth of the distance is left also in hollows, where curvature holds the
+   * surface back (14 / AdvectionSpeed in all), where volumes are held until a thousandth of what
+   * differs from a ball is left, with an image until the start itself would have vanished. The
+   * value is in the field data, TimeStep. The range is 0 to 1e12.
    */
   vtkSetClampMacro(TimeStep, double, 0.0, 1e12);
   vtkGetMacro(TimeStep, double);
@@ -454,11 +458,12 @@ public:
    * of one size, CURVATURE_ADAPTIVE, about as many that are smaller where the surface is curved, or
    * AUTOMATIC (the default): the elements stay as they are, points and polygons, until one has an
    * angle below 20 degrees (5 before sharp edges are rounded off), then there are uniform ones, as
-   * good as can be at the end. Points, polygons and arrays of a time step are those of its
-   * elements; the start is as it was, but without the slivers and nearly coincident points of a
-   * contour (where there were any, the first step has new elements), and polygons are split into
-   * triangles (AUTOMATIC: when there are new elements). New points lie on the smooth surface that
-   * the evolved triangles stand for, so that nothing shrinks.
+   * good as can be at the end. With a field a start of less than a quarter of the points that
+   * TargetEdgeLength stands for, as a box of eight, gets new elements at once. Points, polygons and
+   * arrays of a time step are those of its elements; the start is as it was, but without the
+   * slivers and nearly coincident points of a contour (where there were any, the first step has new
+   * elements), and polygons are split into triangles (AUTOMATIC: when there are new elements). New
+   * points lie on the smooth surface that the evolved triangles stand for, so that nothing shrinks.
    * A boundary keeps its shape: its edges are split, and only points in a straight line vanish
    * (others, too, where it is FREE, or, at the start, where that moves it by less than a fiftieth
    * of the edges around). Creases are not kept as such. The genus stays, also where a neck has
@@ -474,8 +479,10 @@ public:
 
   ///@{
   /**
-   * Mean edge length that remeshing aims at, in length units; 0, the default, is that of the start
-   * (AUTOMATIC: as many points as the start has, and 2562 at least, whatever the size by then).
+   * Mean edge length that remeshing aims at, in length units. 0, the default: with a distance field
+   * as many points as the start has, and 2562 at least, on the area of its zero level, and no more
+   * than 4 times as many on the way; AUTOMATIC: as many, whatever the size by then; otherwise the
+   * mean edge length of the start.
    * A component keeps at least some hundred points, however small it has become. What would need
    * more than two million points, and more than four times those that are there, is an error. Used
    * with Remeshing.
@@ -559,6 +566,8 @@ private:
   std::optional<evolving::SurfaceRemeshingOptions> RemeshingOptions() const;
   std::unique_ptr<EvolutionOutput> Solve(vtkPolyData* input, vtkImageData* field,
     const evolving::FlowOptions& options, const evolving::Execution& execution);
+  void WarnOfEnd(const evolving::ScalarImage* field, const evolving::FlowOptions& options,
+    EvolutionOutput& series, const evolving::Execution& execution);
   void UpdateSeries(
     vtkPolyData* input, vtkInformationVector** inputVector, const evolving::Execution& execution);
   void WriteState(

@@ -21,8 +21,8 @@ namespace evolving
  *
  * - Without a field: timeOfVisibleChange() in all, so that the step grows with the square of
  * lengths; where the volume is held, until all is balls (RelaxationTime.h), but for a thousandth.
- * - Distance field: the advection leaves exp(-C T) of a distance; a thousandth in all, which no eye
- *   sees.
+ * - Distance field: the advection leaves exp(-C T) of a distance, and where curvature holds
+ *   against it about exp(-C T / 2); a thousandth there in all, which no eye sees.
  * - Edge detector: twice timeOfVisibleChange(), the life of the start, for curvature alone leads a
  *   surface to edges far away; with a normal speed, a cell a step, which is the most
  * (ControlField).

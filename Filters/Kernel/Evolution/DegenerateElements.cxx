@@ -27,6 +27,8 @@ constexpr double CreasedPart = 0.01;
 constexpr double SmallElement = 2.0;
 /// As many as an icosphere of level 4 has: edges of four degrees, as smooth as it looks.
 constexpr double LeastVertices = 2562.0;
+/// Of the vertices that a surface should have: edges twice as long.
+constexpr double CoarsePart = 0.25;
 
 bool hasBoundaryEdge(const SurfaceMesh& surface, const MeshTopology& topology, Index face)
 {
@@ -92,6 +94,11 @@ bool hasDegenerateElements(const SurfaceMesh& surface, BoundaryMode mode, double
     }
   }
   return false;
+}
+
+bool isCoarse(const SurfaceMesh& surface, double wantedVertices)
+{
+  return summarizeTopology(surface).usedVertices < CoarsePart * wantedVertices;
 }
 
 double wantedVertices(const SurfaceMesh& start)

@@ -24,6 +24,10 @@ namespace evolving
  */
 bool hasDegenerateElements(const SurfaceMesh& surface, BoundaryMode mode, double edgeLength);
 
+/// Has it less than a quarter of the vertices that it should have? Then it cannot show what it is
+/// to become. An icosphere of level 3, the usual start, has just as many.
+bool isCoarse(const SurfaceMesh& surface, double wantedVertices);
+
 /// How many vertices a surface shall have on its way: as many as it has, but enough to look smooth.
 double wantedVertices(const SurfaceMesh& start);
 

@@ -124,7 +124,8 @@ bool EvolvingSurface::remesh(bool isLast, const Execution& execution)
   const std::vector<double> distance =
     this->Field->valuesAt(this->mesh().points, execution.phase(0.0, 0.1));
   std::optional<SurfaceMesh> remeshed = this->NewElements->remesh(
-    { this->mesh(), this->Origin->points, distance, isLast }, execution.phase(0.1, 0.8));
+    { this->mesh(), this->Origin->points, distance, isLast, this->Field->target() },
+    execution.phase(0.1, 0.8));
   if (!remeshed)
   {
     return false;

@@ -9,6 +9,7 @@
 #ifndef EVOLVING_REMESHER_H
 #define EVOLVING_REMESHER_H
 
+#include "Evolution/ScalarImage.h"
 #include "Execution.h"
 #include "Mesh/SurfaceMesh.h"
 
@@ -25,6 +26,7 @@ struct RemeshingInput
   const std::vector<Vec3>& before;     ///< its points when it got its elements
   const std::vector<double>& distance; ///< the field's value at the vertices, or empty
   bool isLast;                         ///< the flow ends here: the result is what remains
+  const ScalarImage* target = nullptr; ///< the field where it is the distance from a target
 };
 
 /**

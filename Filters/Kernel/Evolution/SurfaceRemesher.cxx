@@ -5,6 +5,8 @@
 
 #include "Errors.h"
 #include "Evolution/DegenerateElements.h"
+#include "Evolution/ElementRenewal.h"
+#include "Evolution/LevelReference.h"
 #include "Evolution/NeckSurgery.h"
 #include "Mesh/MeshQuality.h"
 #include "Mesh/MeshTopology.h"
@@ -15,15 +17,15 @@
 #include "Redistribution/VanishedComponents.h"
 #include "Remeshing/CoveringTriangles.h"
 #include "Remeshing/CurvedReference.h"
-#include "Remeshing/EdgeLengthLimits.h"
 #include "Remeshing/EditableSurface.h"
 #include "Remeshing/IntersectionFreeStages.h"
 #include "Remeshing/Remeshing.h"
-#include "Remeshing/StarOptimization.h"
 #include "Remeshing/VertexBudget.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace evolving
@@ -32,19 +34,8 @@ namespace evolving
 namespace
 {
 
-/// Good elements stay between steps: none with a smaller angle, in degrees, and no more edges than
-/// this part too short or too long.
-constexpr double GoodAngle = 30.0;
-constexpr double FewEdges = 0.01;
-/// Passes between steps, which the next ones go on from, and where the flow ends.
-constexpr int Passes = 2;
-constexpr int LastPasses = 5;
-constexpr int PolishPasses = 2;
 /// Two are enough for all but threads that begin with many points around.
 constexpr int NeckRounds = 3;
-/// At the end smallest angles up to this are worth a search, in degrees; and how many rounds of it.
-constexpr double WantedAngle = 40.0;
-constexpr int StarRounds = 3;
 /// Elements of large surfaces may be renewed, and made finer within reason.
 constexpr double MostFiner = 4.0;
 /// Before edges collapse there may be that many times as many.
@@ -84,39 +75,6 @@ SurfaceMesh withoutVanished(const RemeshingInput& input, double smallestComponen
   return rest.faceCount() > 0 ? rest : input.surface;
 }
 
-bool hasGoodElements(const EditableSurface& surface, const SurfaceMesh& mesh)
-{
-  Index edges = 0;
-  Index badEdges = 0;
-  for (Index e = 0; e < surface.edgeSlots(); ++e)
-  {
-    if (surface.isFirstHalf(e))
-    {
-      const double length = surface.length(e) / surface.size(surface.from(e), surface.to(e));
-      badEdges += length < ShortestGoodPerSize || length > LongestGoodPerSize ? 1 : 0;
-      ++edges;
-    }
-  }
-  return badEdges <= FewEdges * edges && smallestAngle(mesh) >= GoodAngle;
-}
-
-void renew(EditableSurface& surface, const ReferenceSurface& reference,
-  const RemeshingOptions& options, bool isThorough, const Execution& execution)
-{
-  for (int pass = 0; pass < (isThorough ? LastPasses : Passes); ++pass)
-  {
-    remeshOnce(surface, reference, options, execution);
-  }
-  if (isThorough)
-  {
-    for (int pass = 0; pass < PolishPasses; ++pass)
-    {
-      polishOnce(surface, reference, options, execution);
-    }
-    optimizeStars(surface, reference, WantedAngle, StarRounds, execution);
-  }
-}
-
 } // namespace
 
 void checkOptions(const SurfaceRemeshingOptions& options)
@@ -135,8 +93,12 @@ SurfaceRemesher::SurfaceRemesher(const SurfaceMesh& start, const SurfaceRemeshin
   checkOptions(options);
   if (options.onlyDegenerate)
   {
-    this->Vertices = wantedVertices(start);
     this->StartCorners = start.cornerVertices;
+  }
+  // Needles, as CAD programs make them, have a mean that is much too large.
+  if (options.onlyDegenerate || options.targetArea > 0.0)
+  {
+    this->Vertices = wantedVertices(start);
   }
   else if (!(options.edgeLength > 0.0))
   {
@@ -144,11 +106,23 @@ SurfaceRemesher::SurfaceRemesher(const SurfaceMesh& start, const SurfaceRemeshin
   }
 }
 
-/// Needles, as CAD programs make them, have a mean that is much too large.
 double SurfaceRemesher::edgeLength(const SurfaceMesh& surface) const
 {
-  return this->Options.edgeLength > 0.0 ? this->Options.edgeLength
-                                        : coveringEdgeLength(surfaceArea(surface), this->Vertices);
+  if (this->Options.edgeLength > 0.0)
+  {
+    return this->Options.edgeLength;
+  }
+  const double area = surfaceArea(surface);
+  return this->Options.onlyDegenerate
+    ? coveringEdgeLength(area, this->Vertices)
+    : std::max(coveringEdgeLength(this->Options.targetArea, this->Vertices),
+        coveringEdgeLength(area, LargestPerTarget * this->Vertices));
+}
+
+/// Of a start like a box of eight corners, that is to become anything else.
+bool SurfaceRemesher::isTooCoarse(const SurfaceMesh& surface) const
+{
+  return isCoarse(surface, coveringVertexCount(surfaceArea(surface), this->edgeLength(surface)));
 }
 
 /// Elements that have been made anew are not what anybody asked to keep.
@@ -157,14 +131,38 @@ bool SurfaceRemesher::hasStartElements(const SurfaceMesh& surface) const
   return surface.cornerVertices == this->StartCorners;
 }
 
+/// What the flow rounds off is its start; edges that it ends with are its target's.
+bool SurfaceRemesher::mayStay(const RemeshingInput& input) const
+{
+  const bool areAsked =
+    this->hasStartElements(input.surface) ? this->Options.keepsStart : !input.isLast;
+  if (!this->Options.onlyDegenerate || !areAsked)
+  {
+    return false;
+  }
+  const bool hasField = !input.distance.empty();
+  if (hasField && this->isTooCoarse(input.surface))
+  {
+    return false;
+  }
+  const bool mayBeCreased = !hasField || !input.isLast;
+  return !hasDegenerateElements(input.surface, this->Options.boundaryMode,
+    mayBeCreased ? this->edgeLength(input.surface) : 0.0);
+}
+
+/// Elements of the start on a target with sharp edges, which new ones would make saws of.
+bool SurfaceRemesher::isCreasedEnd(const RemeshingInput& input) const
+{
+  return this->Options.onlyDegenerate && this->Options.keepsStart && input.isLast &&
+    this->hasStartElements(input.surface) && !this->isTooCoarse(input.surface) &&
+    !hasDegenerateElements(
+      input.surface, this->Options.boundaryMode, this->edgeLength(input.surface));
+}
+
 std::optional<SurfaceMesh> SurfaceRemesher::remesh(
   const RemeshingInput& input, const Execution& execution)
 {
-  const bool mayStay =
-    this->hasStartElements(input.surface) ? this->Options.keepsStart : !input.isLast;
-  if (this->Options.onlyDegenerate && mayStay &&
-    !hasDegenerateElements(
-      input.surface, this->Options.boundaryMode, this->edgeLength(input.surface)))
+  if (this->mayStay(input))
   {
     return std::nullopt;
   }
@@ -173,8 +171,16 @@ std::optional<SurfaceMesh> SurfaceRemesher::remesh(
   const SurfaceMesh triangles =
     isReady ? SurfaceMesh() : triangulate(input.surface, oldFace, execution.phase(0.0, 0.0));
   const SurfaceMesh& surface = isReady ? input.surface : triangles;
-  std::optional<SurfaceMesh> made =
-    this->remeshTriangles({ surface, input.before, input.distance, input.isLast }, execution);
+  const RemeshingInput cut = { surface, input.before, input.distance, input.isLast, input.target };
+  if (isReady && this->isCreasedEnd(input))
+  {
+    SurfaceMesh repaired = withWorstAnglesMoved(input.surface, execution);
+    if (!hasDegenerateElements(repaired, this->Options.boundaryMode, 0.0))
+    {
+      return repaired;
+    }
+  }
+  std::optional<SurfaceMesh> made = this->remeshTriangles(cut, execution);
   // What still is not good is a neck that is thin enough to be cut only now.
   const bool mayHaveNecks = this->Options.onlyDegenerate && input.distance.empty();
   for (int round = 0; mayHaveNecks && round < NeckRounds &&
@@ -182,8 +188,9 @@ std::optional<SurfaceMesh> SurfaceRemesher::remesh(
        ++round)
   {
     const SurfaceMesh again = *made;
-    made = this->remeshTriangles(
-      { again, again.points, input.distance, input.isLast }, execution.phase(1.0, 1.0));
+    made =
+      this->remeshTriangles({ again, again.points, input.distance, input.isLast, input.target },
+        execution.phase(1.0, 1.0));
   }
   return made;
 }
@@ -217,7 +224,11 @@ std::optional<SurfaceMesh> SurfaceRemesher::remeshTriangles(
   }
   // What is made anew once in a while is made as good as can be, to stay so for long.
   const bool isThorough = input.isLast || this->Options.onlyDegenerate;
-  const auto stage = [&](EditableSurface& s) { renew(s, reference, options, isThorough, now); };
+  const auto levels = input.isLast && input.target
+    ? std::make_unique<const LevelReference>(*input.target, input.surface, input.distance, now)
+    : nullptr;
+  const auto stage = [&](EditableSurface& s)
+  { renewElements(s, reference, levels.get(), options, isThorough, now); };
   if (selfIntersections(evolved, now).empty())
   {
     runWithoutIntersections(surface, stage, now);

@@ -24,17 +24,18 @@ namespace evolving
 struct SurfaceRemeshingOptions
 {
   ElementSizing sizing = ElementSizing::Uniform;
-  double edgeLength = 0.0; ///< 0 = the mean of the start's; with onlyDegenerate as many as it has
+  double edgeLength = 0.0; ///< 0 = automatic, see SurfaceRemesher::edgeLength()
   BoundaryMode boundaryMode = BoundaryMode::Fixed;
   bool onlyDegenerate = false; ///< the start's elements stay until hasDegenerateElements()
   bool keepsStart = true;      ///< false: those are made anew at once, as they are nobody's choice
+  double targetArea = 0.0;     ///< of what the surface is to reach; 0 = unknown
 };
 
 /// All of them: a new one does not compile before it is listed here.
 inline auto membersOf(const SurfaceRemeshingOptions& options)
 {
-  const auto& [sizing, edgeLength, boundaryMode, onlyDegenerate, keepsStart] = options;
-  return std::tie(sizing, edgeLength, boundaryMode, onlyDegenerate, keepsStart);
+  const auto& [sizing, edgeLength, boundaryMode, onlyDegenerate, keepsStart, targetArea] = options;
+  return std::tie(sizing, edgeLength, boundaryMode, onlyDegenerate, keepsStart, targetArea);
 }
 
 inline bool operator==(const SurfaceRemeshingOptions& a, const SurfaceRemeshingOptions& b)
@@ -63,11 +64,21 @@ void checkOptions(const SurfaceRemeshingOptions& options);
 class SurfaceRemesher : public Remesher
 {
 public:
+  /// On a surface that is so many times as large as its target, or larger, there are that many
+  /// times as many vertices: a sphere around a model has elements about as small as those it ends
+  /// with, and one that is much larger costs no more.
+  static constexpr double LargestPerTarget = 4.0;
+
   /// @param start of triangles, unless onlyDegenerate. @throws InputError as MeshTopology and
   /// checkOptions()
   SurfaceRemesher(const SurfaceMesh& start, const SurfaceRemeshingOptions& options);
 
-  /// The mean length that edges of a surface should have.
+  /**
+   * The mean length that edges of a surface should have: the wanted one, or, with onlyDegenerate,
+   * that of as many vertices as the start has, and 2562 at least, on whatever area there is by now.
+   * Where the area of the target is known, as many on that; but on its way a surface that is much
+   * larger has no more than LargestPerTarget times as many. Else the mean of the start's edges.
+   */
   double edgeLength(const SurfaceMesh& surface) const;
 
   /// @throws InputError as setElementSizes(). @throws Cancelled
@@ -79,10 +90,13 @@ private:
     const RemeshingInput& input, const Execution& execution);
 
   bool hasStartElements(const SurfaceMesh& surface) const;
+  bool isTooCoarse(const SurfaceMesh& surface) const;
+  bool mayStay(const RemeshingInput& input) const;
+  bool isCreasedEnd(const RemeshingInput& input) const;
 
   SurfaceRemeshingOptions Options;
   std::vector<Index> StartCorners; ///< with onlyDegenerate: the start's faces
-  double Vertices = 0.0;    ///< with onlyDegenerate: how many equilateral ones shall cover it
+  double Vertices = 0.0;    ///< how many equilateral ones shall cover it; 0 for edges of one length
   double SmallestComponent; ///< area of one at the start
 };
 

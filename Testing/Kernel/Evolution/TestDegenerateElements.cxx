@@ -61,3 +61,12 @@ TEST(DegenerateElements, AreReplacedByAsManyAsBefore)
   EXPECT_EQ(wantedVertices(icosphere(5)), 10242.0);
   EXPECT_EQ(wantedVertices(icosphere(1)), 2562.0); // a coarse start gets enough to look smooth
 }
+
+TEST(DegenerateElements, ACoarseStartHasLessThanAQuarterOfTheVertices)
+{
+  const SurfaceMesh sphere = icosphere(3); // 642 vertices
+  EXPECT_FALSE(isCoarse(sphere, wantedVertices(sphere)));
+  EXPECT_FALSE(isCoarse(sphere, 4.0 * 642.0));
+  EXPECT_TRUE(isCoarse(sphere, 4.0 * 642.0 + 1.0));
+  EXPECT_TRUE(isCoarse(subdividedBox(1), wantedVertices(subdividedBox(1))));
+}

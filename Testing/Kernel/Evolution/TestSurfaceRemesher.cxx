@@ -10,9 +10,11 @@
 #include "Mesh/MeshQuality.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/SelfIntersections.h"
+#include "Remeshing/CoveringTriangles.h"
 #include "Remeshing/EditingChecks.h"
 #include "Shapes/MeshVariants.h"
 #include "Shapes/Polyhedra.h"
+#include "Shapes/SampledOnGrid.h"
 #include "Shapes/Sheets.h"
 #include "Shapes/Spheres.h"
 #include "Shapes/Tubes.h"
@@ -23,6 +25,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace evolving;
 
@@ -84,6 +87,66 @@ TEST(SurfaceRemesher, ReachesTheEdgeLength)
   EXPECT_EQ(SurfaceRemesher(start, Uniform).edgeLength(start), meanEdgeLength(start));
   EXPECT_NEAR(
     meanEdgeLength(remeshed(start, Uniform)), meanEdgeLength(start), 0.1 * meanEdgeLength(start));
+}
+
+TEST(SurfaceRemesher, SizesSuitTheTargetWhereItIsKnown)
+{
+  SurfaceRemeshingOptions options = Uniform;
+  options.targetArea = 0.3;
+  const double wanted = coveringEdgeLength(0.3, 2562.0);
+  for (const double radius :
+    { 0.1, 0.3 }) // smaller than the target, and nearly four times as large
+  {
+    const SurfaceMesh sphere = icosphere(2, radius);
+    EXPECT_NEAR(SurfaceRemesher(sphere, options).edgeLength(sphere), wanted, 1e-12);
+  }
+  const SurfaceMesh finer = icosphere(5, 0.3);
+  EXPECT_NEAR(
+    SurfaceRemesher(finer, options).edgeLength(finer), coveringEdgeLength(0.3, 10242.0), 1e-12);
+  // A much larger one would have millions of them.
+  const SurfaceMesh huge = icosphere(4, 100.0);
+  const SurfaceRemesher remesher(huge, options);
+  EXPECT_NEAR(coveringVertexCount(surfaceArea(huge), remesher.edgeLength(huge)), 4.0 * 2562.0, 1.0);
+  EXPECT_NEAR(remesher.edgeLength(icosphere(2, 0.2)), wanted, 1e-12);
+  EXPECT_EQ(SurfaceRemesher(huge, withEdges(options, 7.0)).edgeLength(huge), 7.0);
+}
+
+TEST(SurfaceRemesher, ACoarseStartGetsElementsWhereThereIsAField)
+{
+  SurfaceRemeshingOptions options;
+  options.onlyDegenerate = true;
+  const SurfaceMesh box = subdividedBox(1);
+  ASSERT_GT(smallestAngle(box), 40.0);
+  SurfaceRemesher remesher(box, options);
+  EXPECT_FALSE(remesher.remesh({ box, box.points, {}, false }, {}));
+  const std::vector<double> distance(box.points.size(), 1.0);
+  const auto made = remesher.remesh({ box, box.points, distance, false }, {});
+  ASSERT_TRUE(made);
+  EXPECT_GT(made->vertexCount(), 2000);
+  const SurfaceMesh usual = icosphere(3);
+  const std::vector<double> distances(usual.points.size(), 1.0);
+  EXPECT_FALSE(
+    SurfaceRemesher(usual, options).remesh({ usual, usual.points, distances, false }, {}));
+}
+
+TEST(SurfaceRemesher, NewElementsAreNoFartherFromTheTarget)
+{
+  const SurfaceMesh start = icosphere(3);
+  const DistanceGrid grid = shapes::cubicGrid(81, 1.2);
+  const ScalarImage target(
+    grid, shapes::sampled(grid, [](const Vec3& p) { return p.norm() - 0.95; }));
+  const std::vector<double> distance(start.points.size(), 0.02); // as if it were nearer than 0.05
+  SurfaceRemesher remesher(start, withEdges(Uniform, 0.08));     // all are to be split
+  for (const bool isLast : { true, false })
+  {
+    const auto made = remesher.remesh({ start, start.points, distance, isLast, &target }, {});
+    ASSERT_TRUE(made);
+    for (const Vec3& p : made->points)
+    {
+      EXPECT_NEAR(p.norm(), isLast ? 0.97 : 1.0, 0.005);
+    }
+    EXPECT_GT(smallestAngle(*made), isLast ? 35.0 : 20.0);
+  }
 }
 
 TEST(SurfaceRemesher, StretchedElementsBecomeGood)
@@ -265,7 +328,7 @@ TEST(SurfaceRemesher, MakesItsOwnElementsGoodAtTheEndAndKeepsTheStarts)
   };
   ASSERT_LT(smallestAngle(start), 35.0); // no good ones, but nobody asked for others
   EXPECT_FALSE(atEnd(start).has_value());
-  const SurfaceMesh own = remeshed(icosphere(4), withEdges(Uniform, 0.08));
+  const SurfaceMesh own = remeshed(icosphere(4), withEdges(Uniform, 0.15));
   const SurfaceMesh later = stretched(own);
   ASSERT_LT(smallestAngle(later), 35.0);
   EXPECT_FALSE(remesher.remesh({ later, later.points, {}, false }, {}).has_value());
