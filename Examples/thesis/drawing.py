@@ -180,6 +180,7 @@ def image_slice(source, axis, index, colors):
     squares.SetInputConnection(slab.GetOutputPort())
     actor = colored(squares, "", colors)
     actor.GetMapper().SetScalarModeToUsePointData()
+    actor.GetMapper().SetColorModeToMapScalars()   # bytes, too, are intensities and no colours
     actor.GetProperty().LightingOff()
     return actor
 
