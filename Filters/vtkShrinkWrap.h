@@ -187,9 +187,10 @@ public:
    * creases, as of a machined part: more than half of their length folds over six times as much as
    * the other edges beside it. On scans and models of smooth things it does not; but parts made of
    * large facets, edges that fold by two thirds of FeatureAngle being three times as long as those
-   * of the result, get the edges of their facets. Triangles come first: what would leave them
-   * angles below 33 degrees, beside facets 36, is rounded. ON keeps all sharp edges and, for them,
-   * angles down to 22 degrees. OFF keeps none.
+   * of the result, get the edges of their facets, also faint ones down to a ninth of FeatureAngle
+   * that make no angle below 36 degrees with another. Triangles come first: what would leave them
+   * angles below 33 degrees, beside facets and at tips 22, is rounded. ON keeps all sharp edges
+   * and, for them, angles down to 22 degrees. OFF keeps none.
    */
   vtkSetClampMacro(PreserveFeatures, int, OFF, AUTOMATIC);
   vtkGetMacro(PreserveFeatures, int);

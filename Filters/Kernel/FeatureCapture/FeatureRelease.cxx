@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace evolving
 {
@@ -16,45 +17,159 @@ namespace evolving
 namespace
 {
 
-/// More pointed than a corner of a regular tetrahedron.
-bool isTip(const EditableSurface& surface, Index v)
+constexpr double Unbounded = std::numeric_limits<double>::infinity();
+
+double angleAt(const EditableSurface& surface, Index e)
+{
+  const Vec3& point = surface.point(surface.from(e));
+  return angleBetween(surface.point(surface.to(e)) - point, surface.point(surface.apex(e)) - point);
+}
+
+/// All that is around a pinned vertex where it is less than at a corner of a regular tetrahedron;
+/// else infinite.
+double angleOfTip(const EditableSurface& surface, Index v)
 {
   double around = 0.0;
-  surface.forEachOutgoing(v,
-    [&](Index e)
-    {
-      const Vec3& tip = surface.point(v);
-      const Index next = EditableSurface::next(e);
-      around +=
-        angleBetween(surface.point(surface.to(e)) - tip, surface.point(surface.to(next)) - tip);
-    });
-  return surface.isPinned(v) && around < Pi;
+  surface.forEachOutgoing(v, [&](Index e) { around += angleAt(surface, e); });
+  return surface.isPinned(v) && around < Pi ? around : Unbounded;
 }
 
 bool hasTip(const EditableSurface& surface, Index face)
 {
-  return isTip(surface, surface.from(3 * face)) || isTip(surface, surface.from(3 * face + 1)) ||
-    isTip(surface, surface.from(3 * face + 2));
+  return angleOfTip(surface, surface.from(3 * face)) < Pi ||
+    angleOfTip(surface, surface.from(3 * face + 1)) < Pi ||
+    angleOfTip(surface, surface.from(3 * face + 2)) < Pi;
+}
+
+/// The edge of a face that begins where its angle is smallest.
+Index sharpestCorner(const EditableSurface& surface, Index face)
+{
+  Index sharpest = 3 * face;
+  for (Index e = 3 * face + 1; e < 3 * face + 3; ++e)
+  {
+    sharpest = angleAt(surface, e) < angleAt(surface, sharpest) ? e : sharpest;
+  }
+  return sharpest;
+}
+
+/// The edges of the crease that is to go first at a face; none where there is no crease.
+std::vector<Index> weakestAt(const EditableSurface& surface, Index face, const CreaseWorth& worth)
+{
+  const Index a = sharpestCorner(surface, face);
+  const Index b = EditableSurface::previous(a);
+  if (surface.curve(a) != NoIndex && surface.curve(b) != NoIndex)
+  {
+    return { worth.foldOf(surface.curve(a)) < worth.foldOf(surface.curve(b)) ? a : b };
+  }
+  std::vector<Index> weakest;
+  double least = Unbounded;
+  for (Index corner = 3 * face; corner < 3 * face + 3; ++corner)
+  {
+    surface.forEachOutgoing(surface.from(corner),
+      [&](Index e)
+      {
+        const double fold =
+          surface.curve(e) == NoIndex ? Unbounded : worth.foldOf(surface.curve(e));
+        if (fold < least)
+        {
+          least = fold;
+          weakest.clear();
+        }
+        if (fold < Unbounded && fold == least)
+        {
+          weakest.push_back(e);
+        }
+      });
+  }
+  return weakest;
+}
+
+bool isAtCrease(const EditableSurface& surface, Index face)
+{
+  return surface.featureEdges(surface.from(3 * face)) > 0 ||
+    surface.featureEdges(surface.from(3 * face + 1)) > 0 ||
+    surface.featureEdges(surface.from(3 * face + 2)) > 0;
+}
+
+/// The faces from an edge on, once around its beginning, up to the next crease or the boundary.
+template <class Turn>
+void forgetPatches(EditableSurface& surface, Index edge, const Turn& turn)
+{
+  Index e = edge;
+  do
+  {
+    surface.setLabel(EditableSurface::faceOf(e), FeatureReference::NoPatch);
+    e = turn(e);
+  } while (e != NoIndex && e != edge);
+}
+
+/// The faces that an edge which is no crease any more has joined to each other, at its beginning.
+void forgetPatchesAt(EditableSurface& surface, Index edge)
+{
+  forgetPatches(surface, edge,
+    [&](Index e)
+    {
+      const Index last = EditableSurface::previous(e);
+      return surface.isFeature(last) ? NoIndex : surface.opposite(last);
+    });
+  forgetPatches(surface, edge,
+    [&](Index e)
+    { return surface.isFeature(e) ? NoIndex : EditableSurface::next(surface.opposite(e)); });
+}
+
+/// Three triangles around a tip have angles that are worth it.
+bool mayKeepTip(const EditableSurface& surface, Index v, const CreaseWorth& worth)
+{
+  const double around = angleOfTip(surface, v);
+  return around < Pi && around >= 3.0 * worth.atTips * RadiansPerDegree;
+}
+
+void releaseEdge(EditableSurface& surface, Index e, const CreaseWorth& worth)
+{
+  surface.setCurve(e, NoIndex);
+  for (const Index half : { e, surface.opposite(e) })
+  {
+    if (half != NoIndex)
+    {
+      forgetPatchesAt(surface, half);
+      const Index v = surface.from(half);
+      if (surface.featureEdges(v) == 0 && !mayKeepTip(surface, v, worth))
+      {
+        surface.releasePin(v);
+      }
+    }
+  }
 }
 
 } // namespace
 
-std::vector<Index> crampedFeatures(const EditableSurface& surface, double degrees, double atTips)
+std::vector<Index> crampedFaces(const EditableSurface& surface, const CreaseWorth& worth)
 {
-  const double limit = std::cos(degrees * RadiansPerDegree);
-  const double limitAtTips = std::cos(std::min(degrees, atTips) * RadiansPerDegree);
-  const auto isCramped = [&](Index face)
+  const double limit = std::cos(worth.angle * RadiansPerDegree);
+  const double limitAtTips = std::cos(std::min(worth.angle, worth.atTips) * RadiansPerDegree);
+  std::vector<Index> faces;
+  for (Index f = 0; f < surface.faceSlots(); ++f)
   {
-    const double cosine = cosineOfSmallestAngle(surface, face);
-    return cosine > limit && (cosine > limitAtTips || !hasTip(surface, face));
-  };
-  std::vector<Index> vertices;
-  for (Index e = 0; e < surface.edgeSlots(); ++e)
-  {
-    if (surface.hasEdge(e) && surface.featureEdges(surface.from(e)) > 0 &&
-      isCramped(EditableSurface::faceOf(e)))
+    const double cosine = surface.hasFace(f) ? cosineOfSmallestAngle(surface, f) : 0.0;
+    if (cosine > limit && isAtCrease(surface, f) && (cosine > limitAtTips || !hasTip(surface, f)))
     {
-      vertices.push_back(surface.from(e));
+      faces.push_back(f);
+    }
+  }
+  return faces;
+}
+
+std::vector<Index> creaseVertices(const EditableSurface& surface, const std::vector<Index>& faces)
+{
+  std::vector<Index> vertices;
+  for (const Index f : faces)
+  {
+    for (Index e = 3 * f; e < 3 * f + 3; ++e)
+    {
+      if (surface.featureEdges(surface.from(e)) > 0)
+      {
+        vertices.push_back(surface.from(e));
+      }
     }
   }
   std::sort(vertices.begin(), vertices.end());
@@ -62,11 +177,30 @@ std::vector<Index> crampedFeatures(const EditableSurface& surface, double degree
   return vertices;
 }
 
-void releaseFeatures(EditableSurface& surface, const std::vector<Index>& vertices)
+void releaseWeakest(
+  EditableSurface& surface, const std::vector<Index>& faces, const CreaseWorth& worth)
+{
+  std::vector<Index> weakest;
+  for (const Index face : faces)
+  {
+    const std::vector<Index> edges = weakestAt(surface, face, worth);
+    weakest.insert(weakest.end(), edges.begin(), edges.end());
+  }
+  for (const Index e : weakest)
+  {
+    releaseEdge(surface, e, worth);
+  }
+}
+
+void releaseFeatures(
+  EditableSurface& surface, const std::vector<Index>& vertices, const CreaseWorth& worth)
 {
   for (const Index v : vertices)
   {
-    surface.releasePin(v);
+    if (!mayKeepTip(surface, v, worth))
+    {
+      surface.releasePin(v);
+    }
     surface.forEachOutgoing(v,
       [&surface](Index e)
       {

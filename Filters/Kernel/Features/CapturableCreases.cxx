@@ -5,7 +5,6 @@
 
 #include "Features/DistinctCreases.h"
 #include "Features/FacetedParts.h"
-#include "Features/LooseEnds.h"
 #include "Trees/TriangleGeometry.h"
 
 #include <algorithm>
@@ -18,9 +17,11 @@ namespace
 
 /// Over that of creases: facets fold less than the sides of a machined part, and a ridge of 30
 /// degrees is seen.
-constexpr double FacetAngle = 2.0 / 3.0;
-/// Over that of facets: decimated figures have edges whose folds waver so much.
-constexpr double FadingAngle = 1.0 / 3.0;
+constexpr double SeenFold = 2.0 / 3.0;
+/// Over that which is seen: facets that are rounded by less fold as they should to some degrees.
+constexpr double FaintFold = 1.0 / 6.0;
+/// In degrees: half of the least corner of a patch that two elements may share, 72.
+constexpr double LeastWedge = 36.0;
 
 /// Leaves out the sharp edges of triangles that are excluded.
 void exclude(const TargetTriangles& target, const std::vector<char>& isExcluded, SharpEdges& sharp)
@@ -84,12 +85,8 @@ SharpEdges capturableCreases(const TargetTriangles& target, const FeatureOptions
     keepDistinctCreases(target, sharp);
     if (options.facetLength > 0.0)
     {
-      const double facetAngle = FacetAngle * options.angle;
-      takeFacetEdges(target, sharp, facetAngle, options.facetLength);
-      if (sharp.hasTakenIn())
-      {
-        followLooseEnds(target, sharp, FadingAngle * facetAngle);
-      }
+      const double seen = SeenFold * options.angle;
+      takeFacetEdges(target, sharp, { seen, FaintFold * seen, LeastWedge }, options.facetLength);
     }
   }
   const std::vector<Index> all = sharp.list();

@@ -6,7 +6,6 @@
 #include "Remeshing/EdgeFlipping.h"
 #include "Remeshing/ElementRepair.h"
 #include "Remeshing/FaceShape.h"
-#include "Remeshing/PeakFit.h"
 #include "Remeshing/Remeshing.h"
 #include "Remeshing/SizingField.h"
 #include "Remeshing/StarOptimization.h"
@@ -125,6 +124,22 @@ void FinishSteps::mend(EditableSurface& surface) const
   this->polish(surface);
 }
 
+void FinishSteps::easeCreases(
+  EditableSurface& surface, const CreaseWorth& worth, int round, double inertia) const
+{
+  const std::vector<Index> faces = crampedFaces(surface, worth);
+  const std::vector<Index> vertices = creaseVertices(surface, faces);
+  if (round > this->Tuning.releaseRounds)
+  {
+    releaseFeatures(surface, vertices, worth);
+  }
+  else if (round > 0)
+  {
+    releaseWeakest(surface, faces, worth);
+  }
+  this->recover(surface, vertices, inertia);
+}
+
 void FinishSteps::recover(
   EditableSurface& surface, const std::vector<Index>& vertices, double inertia) const
 {
@@ -151,14 +166,30 @@ void FinishSteps::lockFarFrom(EditableSurface& surface, const SurfaceMesh& faces
   }
 }
 
+PeakFit FinishSteps::peakFit(
+  EditableSurface& surface, const SurfaceMesh& target, const PeakFitOptions& options) const
+{
+  return PeakFit(surface, this->Reference,
+    samplesOf(target, this->Tuning.sampleSpacing * this->Size),
+    this->Tuning.nearlyPeak * options.tolerance, this->Run);
+}
+
+void FinishSteps::reachTips(EditableSurface& surface, const SurfaceMesh& target) const
+{
+  PeakFitOptions options;
+  options.farthest = this->Tuning.farthestTip * this->Size;
+  options.deepest = this->Tuning.deepestValley * this->Size;
+  options.leastAngle = this->Tuning.leastAngleBeforeCapture;
+  this->peakFit(surface, target, options).run(options);
+}
+
 void FinishSteps::reachPeaks(
   EditableSurface& surface, const SurfaceMesh& target, double leastAngle) const
 {
   PeakFitOptions options;
   options.farthest = this->Tuning.farthestPeak * this->Size;
   options.deepest = this->Tuning.deepestValley * this->Size;
-  PeakFit fit(surface, this->Reference, samplesOf(target, this->Tuning.sampleSpacing * this->Size),
-    this->Tuning.nearlyPeak * options.tolerance, this->Run);
+  PeakFit fit = this->peakFit(surface, target, options);
   options.leastAngle = this->Tuning.bearableAngle;
   for (int round = 0; round < this->Tuning.peakRounds; ++round)
   {

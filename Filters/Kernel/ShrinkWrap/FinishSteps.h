@@ -10,8 +10,10 @@
 #define EVOLVING_FINISH_STEPS_H
 
 #include "Execution.h"
+#include "FeatureCapture/FeatureRelease.h"
 #include "Mesh/SurfaceMesh.h"
 #include "Remeshing/EditableSurface.h"
+#include "Remeshing/PeakFit.h"
 #include "Remeshing/ReferenceSurface.h"
 #include "ShrinkWrap/WrapTarget.h"
 #include "ShrinkWrap/WrapTuning.h"
@@ -45,8 +47,14 @@ public:
    * @param inertia FitOptions::tangentialInertia
    */
   void fitAlong(EditableSurface& surface, double inertia) const;
-  /// Remeshes and fits what is around some vertices, and locks all else.
-  void recover(EditableSurface& surface, const std::vector<Index>& vertices, double inertia) const;
+  /**
+   * Gives elements better angles where creases cost them more than they are worth, round by round:
+   * first by remeshing, as some are cramped by a fold that has been smoothed; then the weakest
+   * crease of each place is let go; after FinishTuning::releaseRounds all that are there.
+   * @param inertia as fitAlong()
+   */
+  void easeCreases(
+    EditableSurface& surface, const CreaseWorth& worth, int round, double inertia) const;
   /// A fit along the normals; only moves vertices.
   void fitUpright(EditableSurface& surface) const;
   /// Bad elements are replaced by others.
@@ -61,8 +69,14 @@ public:
    * @param leastAngle of all elements in the end, in degrees
    */
   void reachPeaks(EditableSurface& surface, const SurfaceMesh& target, double leastAngle) const;
+  /// Once, and farther, before creases are captured: capture finds tips near vertices only.
+  void reachTips(EditableSurface& surface, const SurfaceMesh& target) const;
 
 private:
+  /// Remeshes and fits what is around some vertices, and locks all else.
+  void recover(EditableSurface& surface, const std::vector<Index>& vertices, double inertia) const;
+  PeakFit peakFit(
+    EditableSurface& surface, const SurfaceMesh& target, const PeakFitOptions& options) const;
   std::vector<Index> slivers(const EditableSurface& surface) const;
   void lockFarFrom(EditableSurface& surface, const SurfaceMesh& faces) const;
 

@@ -9,10 +9,13 @@
 #ifndef EVOLVING_WRAP_FEATURES_H
 #define EVOLVING_WRAP_FEATURES_H
 
+#include "FeatureCapture/FeatureRelease.h"
 #include "Features/CapturableCreases.h"
+#include "Features/TargetFeatures.h"
 #include "Remeshing/CoveringTriangles.h"
 #include "ShrinkWrap/ShrinkWrapOptions.h"
 #include "ShrinkWrap/WrapReference.h"
+#include "ShrinkWrap/WrapTuning.h"
 
 namespace evolving
 {
@@ -45,6 +48,22 @@ inline FeatureOptions wantedFeatures(
     features.isExcluded = [&reference](const Vec3& p) { return reference.isAtSheet(p); };
   }
   return features;
+}
+
+/// What creases that are captured may cost elements.
+inline CreaseWorth creaseWorth(
+  const ShrinkWrapOptions& options, const TargetFeatures& features, const FinishTuning& tuning)
+{
+  const bool areWanted =
+    options.preserveFeatures == FeaturePreservation::On || features.hasFacets();
+  CreaseWorth worth;
+  worth.angle = areWanted ? tuning.leastFeatureAngle : tuning.leastAutomaticAngle;
+  worth.atTips = tuning.leastFeatureAngle;
+  for (const FeatureCurve& curve : features.curves().curves())
+  {
+    worth.folds.push_back(curve.fold);
+  }
+  return worth;
 }
 
 } // namespace evolving

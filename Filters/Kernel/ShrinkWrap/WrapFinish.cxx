@@ -51,6 +51,7 @@ public:
     {
       this->Features.emplace(findFeatures(reference.visible(),
         wantedFeatures(options, reference, target.shortestEdge()), execution.phase(0.0, 0.0)));
+      this->Worth = creaseWorth(options, *this->Features, this->Tuning);
     }
   }
 
@@ -70,9 +71,10 @@ public:
     this->stage(0.6, 0.75, &Finish::fitAlong);
     this->stage(0.75, 0.8, &Finish::fitUpright, moveWithoutIntersections);
     this->stage(0.8, 0.85, &Finish::repair);
-    for (int round = 0; round <= this->Tuning.releaseRounds && this->isCramped(); ++round)
+    for (; this->EasingRound <= this->Tuning.releaseRounds + 1 && this->isCramped();
+         ++this->EasingRound)
     {
-      this->stage(0.85, 0.85, round == 0 ? &Finish::recover : &Finish::release);
+      this->stage(0.85, 0.85, &Finish::ease);
       this->stage(0.85, 0.9, &Finish::repair);
     }
     for (int round = 0; round < MostMendings && this->hasSlivers(); ++round)
@@ -101,6 +103,10 @@ private:
   /// Elements as large as the model itself can collapse onto its corners.
   void captureOrLeave()
   {
+    if (this->IsOnTarget)
+    {
+      this->stage(0.2, 0.2, &Finish::reachTips, moveWithoutIntersections);
+    }
     const EditableSurface before = this->Surface;
     this->OnFeatures.emplace(this->Reference, *this->Features,
       this->Tuning.reachSizes * this->Target.shortestElement(), this->Run.phase(0.2, 0.2));
@@ -181,28 +187,14 @@ private:
     this->steps(now).remesh(surface, this->Tuning.capturePasses);
   }
 
-  std::vector<Index> cramped(const EditableSurface& surface) const
+  bool isCramped() const
   {
-    const bool isOn = this->Options.preserveFeatures == FeaturePreservation::On;
-    const double automatic =
-      this->Features->hasFacets() ? this->Tuning.leastFacetAngle : this->Tuning.leastAutomaticAngle;
-    return crampedFeatures(
-      surface, isOn ? this->Tuning.leastFeatureAngle : automatic, this->Tuning.leastFeatureAngle);
+    return this->OnFeatures && !crampedFaces(this->Surface, this->Worth).empty();
   }
 
-  bool isCramped() const { return this->OnFeatures && !this->cramped(this->Surface).empty(); }
-
-  void release(EditableSurface& surface, const Execution& now) const
+  void ease(EditableSurface& surface, const Execution& now) const
   {
-    const std::vector<Index> vertices = this->cramped(surface);
-    releaseFeatures(surface, vertices);
-    this->steps(now).recover(surface, vertices, this->inertia());
-  }
-
-  /// Some are cramped by a fold that has been smoothed, not by creases.
-  void recover(EditableSurface& surface, const Execution& now) const
-  {
-    this->steps(now).recover(surface, this->cramped(surface), this->inertia());
+    this->steps(now).easeCreases(surface, this->Worth, this->EasingRound, this->inertia());
   }
 
   void adapt(EditableSurface& surface, const Execution& now) const
@@ -250,6 +242,11 @@ private:
     this->steps(now).reachPeaks(surface, this->Reference.visible(), leastAngle);
   }
 
+  void reachTips(EditableSurface& surface, const Execution& now) const
+  {
+    this->steps(now).reachTips(surface, this->Reference.visible());
+  }
+
   /// At rims of walls, rounder than elements can be, the fit lifts vertices off: back they go.
   void settle(EditableSurface& surface, const Execution& now) const
   {
@@ -266,6 +263,8 @@ private:
   const WrapTarget& Target;
   const WrapReference& Reference;
   std::optional<TargetFeatures> Features; ///< where creases are to be preserved
+  CreaseWorth Worth;                      ///< what they may cost
+  int EasingRound = 0;
   std::optional<FeatureReference> OnFeatures;
   const ShrinkWrapOptions& Options;
   const FinishTuning& Tuning;

@@ -117,6 +117,13 @@ struct FinishTuning
   /// Triangles with smaller angles may be replaced by others.
   double soundAngle = 42.0;
   ///@{
+  /// Before creases are captured, peaks up to so far away are reached for, by elements that may
+  /// have angles down to this: remeshing wears tips off by up to two sizes, out of the capture's
+  /// reach.
+  double farthestTip = 3.0;
+  double leastAngleBeforeCapture = 15.0;
+  ///@}
+  ///@{
   /// Peaks of the target up to so far beside a face and so deep are reached for, in rounds that
   /// may cost elements their angles down to the bearable one, and a last one after which no angle
   /// is smaller than the least one (hausdorff against "least angle" and CPU s).
@@ -140,12 +147,11 @@ struct FinishTuning
   /// one is enough.
   double leastFeatureAngle = 22.0;
   /// The same where PreserveFeatures is automatic, and elements count as much: half of an
-  /// equilateral one's, and some to spare for the stages that follow. Folds of faceted parts may
-  /// cost even less: half of 72 degrees, the least corner of a patch that two elements may share.
-  /// Tips may cost as much as creases that are asked for: a spike without its tip is another shape.
+  /// equilateral one's, and some to spare for the stages that follow. Tips and edges of facets may
+  /// cost as much as creases that are asked for: without them a figure has another shape.
   double leastAutomaticAngle = 33.0;
-  double leastFacetAngle = 36.0;
-  int releaseRounds = 3;
+  /// The weakest creases of each place are let go first, so often, then all that are there.
+  int releaseRounds = 5;
   int recoveringPasses = 2;
   ///@}
   /// Faces farther from their patch of the target, in sizes of the smallest, have no place there.

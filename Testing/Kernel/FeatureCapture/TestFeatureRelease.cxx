@@ -22,6 +22,16 @@ namespace
 using namespace evolving;
 using namespace evolving::capture;
 
+/// Vertices on creases at triangles with a smaller angle.
+std::vector<Index> crampedFeatures(
+  const EditableSurface& surface, double angle, double atTips = 180.0)
+{
+  CreaseWorth worth;
+  worth.angle = angle;
+  worth.atTips = atTips;
+  return creaseVertices(surface, crampedFaces(surface, worth));
+}
+
 /// Vertices on creases that are corners of a triangle with a smaller angle.
 std::set<Index> wanted(const EditableSurface& surface, double degrees)
 {
@@ -126,6 +136,67 @@ TEST(FeatureRelease, SparesNoBluntCorner)
   EXPECT_EQ(crampedFeatures(blunt, 33.0, 22.0).size(), 8U);
   const EditableSurface tip = pyramid(6, 26.0);
   EXPECT_TRUE(crampedFeatures(tip, 33.0, 22.0).empty());
+}
+
+/// Each of the creases at the tip of a pyramid is a curve of its own, number k to vertex 2 + k.
+EditableSurface pyramidOfCurves(Index sides, double angle)
+{
+  EditableSurface surface = pyramid(sides, angle);
+  surface.forEachOutgoing(0, [&](Index e) { surface.setCurve(e, surface.to(e) - 2); });
+  for (Index f = 0; f < surface.faceSlots(); ++f)
+  {
+    surface.setLabel(f, f / 2);
+  }
+  return surface;
+}
+
+Index edgeTo(const EditableSurface& surface, Index v, Index w)
+{
+  Index found = NoIndex;
+  surface.forEachOutgoing(v, [&](Index e) { found = surface.to(e) == w ? e : found; });
+  return found;
+}
+
+TEST(FeatureRelease, LetsTheWeakerOfTwoGoFirst)
+{
+  EditableSurface surface = pyramidOfCurves(4, 30.0);
+  CreaseWorth worth;
+  worth.angle = 31.0;
+  worth.folds = { 50.0, 40.0, 60.0, 70.0 };
+  const Index between = EditableSurface::faceOf(edgeTo(surface, 0, 2)); // curves 0 and 1
+  const Index before = EditableSurface::faceOf(edgeTo(surface, 0, 3));  // 1 and 2
+  const Index after = EditableSurface::faceOf(edgeTo(surface, 0, 5));   // 3 and 0
+  ASSERT_EQ(crampedFaces(surface, worth).size(), 4U);
+  releaseWeakest(surface, { between }, worth);
+  EXPECT_EQ(surface.curve(edgeTo(surface, 0, 3)), NoIndex);
+  EXPECT_EQ(surface.curve(edgeTo(surface, 3, 0)), NoIndex);
+  for (const Index k : { 0, 2, 3 })
+  {
+    EXPECT_EQ(surface.curve(edgeTo(surface, 0, 2 + k)), k);
+  }
+  EXPECT_TRUE(surface.isPinned(0));
+  EXPECT_EQ(surface.label(between), FeatureReference::NoPatch);
+  EXPECT_EQ(surface.label(before), FeatureReference::NoPatch);
+  EXPECT_EQ(surface.label(after), after / 2);
+}
+
+TEST(FeatureRelease, KeepsTipsThatThreeTrianglesCanHave)
+{
+  for (const double atTips : { 41.0, 39.0 }) // 120 degrees around the tip
+  {
+    EditableSurface surface = pyramid(4, 30.0);
+    CreaseWorth worth;
+    worth.atTips = atTips;
+    releaseFeatures(surface, { 0 }, worth);
+    EXPECT_EQ(surface.featureEdges(0), 0);
+    EXPECT_EQ(surface.isPinned(0), atTips < 40.0);
+    EditableSurface slowly = pyramid(4, 30.0);
+    slowly.forEachOutgoing(0, [&](Index e) { slowly.setCurve(e, NoIndex); });
+    slowly.setCurve(edgeTo(slowly, 0, 2), 0);
+    releaseWeakest(slowly, { EditableSurface::faceOf(edgeTo(slowly, 0, 2)) }, worth);
+    EXPECT_EQ(slowly.featureEdges(0), 0);
+    EXPECT_EQ(slowly.isPinned(0), atTips < 40.0);
+  }
 }
 
 TEST(FeatureRelease, IsSeenByTheCoverage)

@@ -21,7 +21,7 @@ std::size_t facetEdges(const SurfaceMesh& surface, double angle, double leastMea
   const TargetTriangles target(surface);
   SharpEdges sharp(target, 180.0, false);
   EXPECT_TRUE(sharp.list().empty());
-  takeFacetEdges(target, sharp, angle, leastMean);
+  takeFacetEdges(target, sharp, { angle, angle, 36.0 }, leastMean);
   return sharp.list().size();
 }
 
@@ -67,8 +67,58 @@ TEST(FacetEdges, AreNotAddedToSharpOnes)
   SharpEdges sharp(target, 45.0, false);
   const std::size_t rims = sharp.list().size();
   EXPECT_EQ(rims, 24U);
-  takeFacetEdges(target, sharp, 20.0, 0.1);
+  takeFacetEdges(target, sharp, { 20.0, 10.0, 36.0 }, 0.1);
   EXPECT_EQ(sharp.list().size(), rims);
+}
+
+namespace
+{
+
+/// A pyramid of height 0.3 over a square of side 2: it folds by 163 degrees at the base and by 23.6
+/// at its slant edges, which make angles of 46.2 degrees with those of the base.
+SurfaceMesh flatPyramid()
+{
+  SurfaceMesh mesh;
+  mesh.addPoint(Vec3(0, 0, 0.3));
+  for (const Vec3& corner : { Vec3(1, 1, 0), Vec3(-1, 1, 0), Vec3(-1, -1, 0), Vec3(1, -1, 0) })
+  {
+    mesh.addPoint(corner);
+  }
+  for (Index k = 0; k < 4; ++k)
+  {
+    mesh.addFace({ 0, 1 + k, 1 + (k + 1) % 4 });
+  }
+  mesh.addFace({ 4, 3, 2 });
+  mesh.addFace({ 4, 2, 1 });
+  return mesh;
+}
+
+std::size_t facetEdges(const SurfaceMesh& surface, const FacetFolds& folds)
+{
+  const TargetTriangles target(surface);
+  SharpEdges sharp(target, 180.0, false);
+  takeFacetEdges(target, sharp, folds, 0.1);
+  return sharp.list().size();
+}
+
+} // namespace
+
+TEST(FacetEdges, MayBeFaint)
+{
+  EXPECT_EQ(facetEdges(flatPyramid(), { 30.0, 23.0, 36.0 }), 8U);
+  EXPECT_EQ(facetEdges(flatPyramid(), { 30.0, 24.0, 36.0 }), 4U);
+}
+
+TEST(FacetEdges, MakeNoNarrowWedgesWhereTheyAreFaint)
+{
+  EXPECT_EQ(facetEdges(flatPyramid(), { 30.0, 5.0, 46.0 }), 8U);
+  EXPECT_EQ(facetEdges(flatPyramid(), { 30.0, 5.0, 47.0 }), 4U);
+  EXPECT_EQ(facetEdges(flatPyramid(), { 23.0, 5.0, 47.0 }), 8U); // all of them are seen
+}
+
+TEST(FacetEdges, AreNoneWhereAllAreFaint)
+{
+  EXPECT_EQ(facetEdges(icosahedron(), { 42.0, 5.0, 36.0 }), 0U);
 }
 
 TEST(FacetEdges, OfAnOpenSurfaceAreNotItsBoundary)

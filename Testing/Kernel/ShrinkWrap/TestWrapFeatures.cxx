@@ -253,6 +253,22 @@ TEST(WrapFeatures, LargeFacetsHaveTheirEdges)
   EXPECT_GT(checks::hausdorff(smooth.surface, target, 0.05), 1e-3);
 }
 
+TEST(WrapFeatures, LargeFacetsHaveTheirFaintEdges)
+{
+  // Flattened, an icosahedron folds by 69 degrees around its waist and by 21 at its poles.
+  SurfaceMesh target = icosphere(0);
+  for (Vec3& point : target.points)
+  {
+    point.z() *= 0.5;
+  }
+  ShrinkWrapOptions options = quick(0.12, 56);
+  options.preserveFeatures = FeaturePreservation::Automatic;
+  const Wrapped wrapped(target, options);
+  expectSound(wrapped.surface, 0, 1, 22.0);
+  EXPECT_EQ(wrapped.report.creases.missing, 0.0);
+  EXPECT_LT(checks::hausdorff(wrapped.surface, target, 0.05), 1e-12);
+}
+
 TEST(WrapFeatures, SpikesKeepTheirTips)
 {
   // Two, of four sides of 29.5 degrees each, as four elements have them.
