@@ -8,7 +8,6 @@
 #include "FeatureCapture/FeatureReference.h"
 #include "FeatureCapture/LabelSplitting.h"
 #include "FeatureCapture/VertexLabels.h"
-#include "Mesh/Angles.h"
 #include "ParallelLoops.h"
 
 #include <algorithm>
@@ -172,31 +171,15 @@ private:
     }
   }
 
-  /// More pointed than a corner of a regular tetrahedron.
-  bool isTip(Index corner) const
-  {
-    const TargetTriangles& target = this->Features.target();
-    double around = 0.0;
-    for (const Index* f = target.facesBegin(corner); f != target.facesEnd(corner); ++f)
-    {
-      const Index* v = &target.mesh().cornerVertices[at(3 * *f)];
-      const Index k = v[0] == corner ? 0 : v[1] == corner ? 1 : 2;
-      const Vec3& tip = target.point(corner);
-      around +=
-        angleBetween(target.point(v[(k + 1) % 3]) - tip, target.point(v[(k + 2) % 3]) - tip);
-    }
-    return around < Pi;
-  }
-
-  /// Where labels meet without a corner of the creases, vertices stay free.
+  /// Where labels meet without a tip or a corner of the creases, vertices stay free.
   void pinCorners()
   {
     for (Index v = 0; v < this->Surface.vertexSlots(); ++v)
     {
       const Index corner = this->Vertices.corner(v);
       if (this->Surface.hasVertex(v) && corner != NoIndex &&
-        this->Features.curves().isCorner(corner) &&
-        (this->Surface.featureEdges(v) > 0 || this->isTip(corner)))
+        (this->Features.isTip(corner) ||
+          (this->Features.curves().isCorner(corner) && this->Surface.featureEdges(v) > 0)))
       {
         this->Surface.setPinned(v);
       }

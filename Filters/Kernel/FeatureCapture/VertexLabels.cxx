@@ -61,10 +61,11 @@ Labels labelsAt(const TargetFeatures& features, Index targetVertex)
   return labelSet(std::move(labels));
 }
 
-/// The corners of the creases, and the vertices where labels meet.
+/// The corners of the creases, tips, and the vertices where labels meet.
 Labels cornersOf(const TargetFeatures& features)
 {
   std::vector<Index> vertices = features.curves().corners();
+  vertices.insert(vertices.end(), features.tips().begin(), features.tips().end());
   for (const LabelBorders::Meeting& meeting : features.borders().meetings())
   {
     vertices.push_back(meeting.vertex);

@@ -6,6 +6,7 @@
 #include "Errors.h"
 #include "Features/CarriableFeatures.h"
 #include "Features/DartCharts.h"
+#include "Features/TargetTips.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,6 +119,7 @@ TargetFeatures::TargetFeatures(
       this->Target, this->Sharp, this->Patches, stripWidth(this->Target, this->Sharp, options)))
   , Network(this->Target, this->Sharp)
   , Borders(this->Target, this->Sharp, this->Labels)
+  , Tips(tipsOf(this->Target))
   , Tree(this->Target.mesh(), execution.phase(0.6, 0.8))
   , TrianglesOfLabel(trianglesByLabel(this->Labels))
   , CurveTree(this->Target, this->Sharp.list())

@@ -21,6 +21,7 @@
 #include "Trees/AABBTree.h"
 #include "Types.h"
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -56,6 +57,12 @@ public:
   const SharpEdges& sharpEdges() const { return this->Sharp; }
   const FeatureCurves& curves() const { return this->Network; }
   const LabelBorders& borders() const { return this->Borders; }
+  /// See tipsOf().
+  const std::vector<Index>& tips() const { return this->Tips; }
+  bool isTip(Index vertex) const
+  {
+    return std::binary_search(this->Tips.begin(), this->Tips.end(), vertex);
+  }
 
   /// Are some of the creases edges of faceted parts? See takeFacetEdges().
   bool hasFacets() const { return this->Sharp.hasTakenIn(); }
@@ -97,6 +104,7 @@ private:
   TriangleLabels Labels;
   FeatureCurves Network;
   LabelBorders Borders;
+  std::vector<Index> Tips;
   AABBTree Tree;
   std::vector<std::vector<Index>> TrianglesOfLabel;
   std::vector<AABBTree> TreeOfLabel; ///< empty for one label: Tree
