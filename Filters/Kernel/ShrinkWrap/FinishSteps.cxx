@@ -6,6 +6,7 @@
 #include "Remeshing/EdgeFlipping.h"
 #include "Remeshing/ElementRepair.h"
 #include "Remeshing/FaceShape.h"
+#include "Remeshing/PeakFit.h"
 #include "Remeshing/Remeshing.h"
 #include "Remeshing/SizingField.h"
 #include "Remeshing/StarOptimization.h"
@@ -166,21 +167,13 @@ void FinishSteps::lockFarFrom(EditableSurface& surface, const SurfaceMesh& faces
   }
 }
 
-PeakFit FinishSteps::peakFit(
-  EditableSurface& surface, const SurfaceMesh& target, const PeakFitOptions& options) const
-{
-  return PeakFit(surface, this->Reference,
-    samplesOf(target, this->Tuning.sampleSpacing * this->Size),
-    this->Tuning.nearlyPeak * options.tolerance, this->Run);
-}
-
-void FinishSteps::reachTips(EditableSurface& surface, const SurfaceMesh& target) const
+void FinishSteps::reachTips(EditableSurface& surface, const std::vector<Vec3>& tips) const
 {
   PeakFitOptions options;
   options.farthest = this->Tuning.farthestTip * this->Size;
   options.deepest = this->Tuning.deepestValley * this->Size;
   options.leastAngle = this->Tuning.leastAngleBeforeCapture;
-  this->peakFit(surface, target, options).run(options);
+  fitPeaks(surface, this->Reference, tips, options, this->Run);
 }
 
 void FinishSteps::reachPeaks(
@@ -189,7 +182,8 @@ void FinishSteps::reachPeaks(
   PeakFitOptions options;
   options.farthest = this->Tuning.farthestPeak * this->Size;
   options.deepest = this->Tuning.deepestValley * this->Size;
-  PeakFit fit = this->peakFit(surface, target, options);
+  PeakFit fit(surface, this->Reference, samplesOf(target, this->Tuning.sampleSpacing * this->Size),
+    this->Tuning.nearlyPeak * options.tolerance, this->Run);
   options.leastAngle = this->Tuning.bearableAngle;
   for (int round = 0; round < this->Tuning.peakRounds; ++round)
   {

@@ -13,7 +13,6 @@
 #include "FeatureCapture/FeatureRelease.h"
 #include "Mesh/SurfaceMesh.h"
 #include "Remeshing/EditableSurface.h"
-#include "Remeshing/PeakFit.h"
 #include "Remeshing/ReferenceSurface.h"
 #include "ShrinkWrap/WrapTarget.h"
 #include "ShrinkWrap/WrapTuning.h"
@@ -69,14 +68,12 @@ public:
    * @param leastAngle of all elements in the end, in degrees
    */
   void reachPeaks(EditableSurface& surface, const SurfaceMesh& target, double leastAngle) const;
-  /// Once, and farther, before creases are captured: capture finds tips near vertices only.
-  void reachTips(EditableSurface& surface, const SurfaceMesh& target) const;
+  /// Tips of the target, farther away than other peaks: capture finds those near vertices only.
+  void reachTips(EditableSurface& surface, const std::vector<Vec3>& tips) const;
 
 private:
   /// Remeshes and fits what is around some vertices, and locks all else.
   void recover(EditableSurface& surface, const std::vector<Index>& vertices, double inertia) const;
-  PeakFit peakFit(
-    EditableSurface& surface, const SurfaceMesh& target, const PeakFitOptions& options) const;
   std::vector<Index> slivers(const EditableSurface& surface) const;
   void lockFarFrom(EditableSurface& surface, const SurfaceMesh& faces) const;
 

@@ -103,7 +103,7 @@ private:
   /// Elements as large as the model itself can collapse onto its corners.
   void captureOrLeave()
   {
-    if (this->IsOnTarget)
+    if (this->IsOnTarget && !this->Features->tips().empty())
     {
       this->stage(0.2, 0.2, &Finish::reachTips, moveWithoutIntersections);
     }
@@ -244,7 +244,12 @@ private:
 
   void reachTips(EditableSurface& surface, const Execution& now) const
   {
-    this->steps(now).reachTips(surface, this->Reference.visible());
+    std::vector<Vec3> tips;
+    for (const Index tip : this->Features->tips())
+    {
+      tips.push_back(this->Features->target().point(tip));
+    }
+    this->steps(now).reachTips(surface, tips);
   }
 
   /// At rims of walls, rounder than elements can be, the fit lifts vertices off: back they go.

@@ -117,7 +117,7 @@ struct FinishTuning
   /// Triangles with smaller angles may be replaced by others.
   double soundAngle = 42.0;
   ///@{
-  /// Before creases are captured, peaks up to so far away are reached for, by elements that may
+  /// Before creases are captured, tips up to so far away are reached for, by elements that may
   /// have angles down to this: remeshing wears tips off by up to two sizes, out of the capture's
   /// reach.
   double farthestTip = 3.0;
