@@ -44,6 +44,7 @@ public:
     this->Filter->SetTimeStep(0.1);
     this->Filter->SetNumberOfSteps(20);
     this->Filter->SetCurvatureSpeed(0.01);
+    this->Filter->SetRemeshingToOff();
     this->Filter->Update();
   }
 

@@ -3,7 +3,9 @@
 
 #include "ShrinkWrap/WrapResolution.h"
 
+#include "Mesh/Angles.h"
 #include "Remeshing/CoveringTriangles.h"
+#include "Remeshing/TargetSamples.h"
 #include "Shapes/MeshVariants.h"
 #include "Shapes/Polyhedra.h"
 #include "Shapes/Sheets.h"
@@ -14,7 +16,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <random>
+#include <vector>
 
 using namespace evolving;
 
@@ -42,6 +46,46 @@ SurfaceMesh slab(int holes)
 {
   std::mt19937 generator(1);
   return shapes::triangulated(shapes::slabWithHoles(holes), generator);
+}
+
+/// Of squares, turned by a right angle from bottom to top: narrow facets all around.
+SurfaceMesh twistedPrism(Index layers, double height)
+{
+  SurfaceMesh mesh;
+  for (Index i = 0; i <= layers; ++i)
+  {
+    for (Index k = 0; k < 4; ++k)
+    {
+      const double part = static_cast<double>(i) / layers;
+      const double angle = 0.5 * Pi * (part + k);
+      mesh.addPoint(Vec3(std::cos(angle), std::sin(angle), height * part));
+      const Index next = (k + 1) % 4;
+      if (i > 0)
+      {
+        const Index low = 4 * (i - 1);
+        mesh.addFace({ low + k, low + next, low + 4 + next });
+        mesh.addFace({ low + k, low + 4 + next, low + 4 + k });
+      }
+    }
+  }
+  for (const Index k : { 1, 2 })
+  {
+    mesh.addFace({ 0, k + 1, k });
+    mesh.addFace({ 4 * layers, 4 * layers + k, 4 * layers + k + 1 });
+  }
+  return mesh;
+}
+
+/// Of equilateral triangles with edges of these sizes.
+double pointsOn(const SurfaceMesh& mesh, const CreaseSizes& sizes)
+{
+  constexpr double Spacing = 0.01;
+  double points = 0.0;
+  for (const Vec3& p : samplesOf(mesh, Spacing))
+  {
+    points += Spacing * Spacing * 2.0 / (std::sqrt(3.0) * sizes.at(p) * sizes.at(p));
+  }
+  return points;
 }
 
 } // namespace
@@ -115,6 +159,15 @@ TEST(WrapResolution, HasSmallElementsBesideCreases)
   without.offsetDistance = 0.1;
   const auto offset = needed(plate, without);
   EXPECT_TRUE(!offset || !offset->beside);
+}
+
+TEST(WrapResolution, KeepsToTheBudgetWhereCreasesAreEverywhere)
+{
+  const SurfaceMesh mesh = twistedPrism(40, 4.0);
+  const std::optional<WrapResolution> resolution = needed(mesh, {});
+  ASSERT_TRUE(resolution && resolution->beside);
+  EXPECT_LT(pointsOn(mesh, *resolution->beside), 60000.0);
+  EXPECT_GT(pointsOn(mesh, *resolution->beside), 20000.0);
 }
 
 TEST(WrapResolution, IsFinerWhereEdgesAre)
