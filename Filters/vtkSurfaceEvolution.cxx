@@ -287,7 +287,9 @@ std::unique_ptr<EvolutionOutput> vtkSurfaceEvolution::Solve(vtkPolyData* input, 
   std::shared_ptr<evolving::Remesher> remesher;
   if (remeshing)
   {
-    const bool hasTarget = image && options.fieldMode == evolving::FieldMode::DistanceField;
+    // An open surface comes to cover a piece of the zero level, nobody knows how large a one.
+    const bool hasTarget = image && options.fieldMode == evolving::FieldMode::DistanceField &&
+      evolving::summarizeTopology(*start).isClosed();
     remeshing->targetArea = hasTarget ? evolving::zeroLevelArea(*image) : 0.0;
     remesher = std::make_shared<evolving::SurfaceRemesher>(*start, *remeshing);
   }

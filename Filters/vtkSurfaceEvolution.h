@@ -479,10 +479,10 @@ public:
 
   ///@{
   /**
-   * Mean edge length that remeshing aims at, in length units. 0, the default: with a distance field
-   * as many points as the start has, and 2562 at least, on the area of its zero level, and no more
-   * than 4 times as many on the way; AUTOMATIC: as many, whatever the size by then; otherwise the
-   * mean edge length of the start.
+   * Mean edge length that remeshing aims at, in length units. 0, the default: of a closed surface
+   * with a distance field as many points as the start has, and 2562 at least, on the area of its
+   * zero level, and no more than 4 times as many on the way; AUTOMATIC: as many, whatever the size
+   * by then; otherwise the mean edge length of the start.
    * A component keeps at least some hundred points, however small it has become. What would need
    * more than two million points, and more than four times those that are there, is an error. Used
    * with Remeshing.

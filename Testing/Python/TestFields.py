@@ -9,7 +9,8 @@ from pathlib import Path
 
 import evolvingsurfaces as es
 import numpy as np
-from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource, vtkSphereSource
 
 from observing import Messages, is_finite
 
@@ -141,6 +142,21 @@ class Fields(unittest.TestCase):
             counts.append(made.GetOutput().GetNumberOfPoints())
         self.assertLess(max(counts), 1.1 * min(counts))
         self.assertGreater(min(counts), 2000)
+
+    def test_uniform_elements_of_an_open_surface_are_as_large_as_they_were(self):
+        bunny = model("bunny.ply")
+        (x0, y0, z0), (x1, y1, z1) = box_of(bunny).T
+        sheet = vtkPlaneSource()
+        sheet.SetOrigin(x0, y0, 0.5 * (z0 + z1))
+        sheet.SetPoint1(x1, y0, 0.5 * (z0 + z1))
+        sheet.SetPoint2(x0, y1, 0.5 * (z0 + z1))
+        sheet.SetResolution(10, 10)
+        triangles = vtkTriangleFilter()
+        triangles.SetInputConnection(sheet.GetOutputPort())
+        made, messages = evolved(triangles, distance_to(bunny), Remeshing=E.UNIFORM,
+                                 TimeStep=1e-6, NumberOfSteps=1)
+        self.assertEqual(messages.errors, [])
+        self.assertLess(made.GetOutput().GetNumberOfPoints(), 200)     # of 121
 
 
 if __name__ == "__main__":
