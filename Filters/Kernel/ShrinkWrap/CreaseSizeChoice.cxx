@@ -89,7 +89,8 @@ std::shared_ptr<const CreaseSizes> chooseCreaseSizes(const ShrinkWrapOptions& op
   {
     return nullptr;
   }
-  EditableSurface surface = landed(region, reference, now);
+  EditableSurface surface =
+    budget.isLimit ? landed(region, reference, now) : EditableSurface(region.boundary(now));
   for (double shortest = SmallestPart * budget.edgeLength; shortest < budget.edgeLength;
        shortest *= TriedRatio)
   {

@@ -26,6 +26,9 @@ struct PointBudget
   double edgeLength = 0.0;  ///< of edges away from creases
   double longestEdge = 0.0; ///< as long as those may become to save points; not below edgeLength
   double across = 0.0;      ///< so many edges between two creases
+  /// Must points not be exceeded? Then they are counted on the target, where sizes are smallest.
+  /// A number to come near to is counted on the start surface, a little way off.
+  bool isLimit = false;
 };
 
 /**

@@ -86,7 +86,8 @@ void chooseEdges(const ShrinkWrapOptions& options, const WrapView& view, WrapRes
   }
   const bool isAsked = asked > 0;
   const PointBudget budget{ isAsked ? asked : SurePart * MostPoints, needed.edgeLength,
-    (isAsked ? LongestPart : 1.0) * needed.edgeLength, isAsked ? FewAcross : EnoughAcross };
+    (isAsked ? LongestPart : 1.0) * needed.edgeLength, isAsked ? FewAcross : EnoughAcross,
+    !isAsked };
   needed.beside = chooseCreaseSizes(options, *view.reference(), view.region(), budget, execution);
   needed.edgeLength = needed.beside ? needed.beside->largest() : needed.edgeLength;
 }
