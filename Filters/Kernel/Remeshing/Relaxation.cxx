@@ -73,7 +73,8 @@ Vec3 relaxed(EditableSurface& surface, const ReferenceSurface& reference, Index 
   if (surface.featureEdges(v) == 0)
   {
     const Vec3 normal = surface.normal(v);
-    const Vec3 move = damping * (weightedCentroid(surface, v) - point);
+    const Vec3 move =
+      damping > 0.0 ? Vec3(damping * (weightedCentroid(surface, v) - point)) : Vec3(Vec3::Zero());
     return placed(surface, reference, v, point + move - move.dot(normal) * normal, normal);
   }
   const Index curve = curveOfVertex(surface, v);
@@ -81,7 +82,9 @@ Vec3 relaxed(EditableSurface& surface, const ReferenceSurface& reference, Index 
   {
     return point;
   }
-  return reference.onCurve(point + damping * (middleOnCurve(surface, v) - point), curve);
+  const Vec3 move =
+    damping > 0.0 ? Vec3(damping * (middleOnCurve(surface, v) - point)) : Vec3(Vec3::Zero());
+  return reference.onCurve(point + move, curve);
 }
 
 } // namespace

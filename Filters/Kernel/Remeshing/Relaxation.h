@@ -27,7 +27,7 @@ namespace evolving
 void relax(EditableSurface& surface, const ReferenceSurface& reference, double damping, int sweeps,
   const Execution& execution = {});
 
-/// Every vertex goes onto the reference, guarded as in relax().
+/// Every vertex goes onto the reference, guarded as in relax(). Sizes need not be set.
 void land(
   EditableSurface& surface, const ReferenceSurface& reference, const Execution& execution = {});
 
