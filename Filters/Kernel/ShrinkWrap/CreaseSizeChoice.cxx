@@ -6,9 +6,8 @@
 #include "Features/CapturableCreases.h"
 #include "Features/CarriableFeatures.h"
 #include "Features/TargetTriangles.h"
-#include "Mesh/VertexNormals.h"
-#include "ParallelLoops.h"
 #include "Remeshing/EditableSurface.h"
+#include "Remeshing/Relaxation.h"
 #include "Remeshing/SizingField.h"
 #include "ShrinkWrap/WrapFeatures.h"
 
@@ -50,22 +49,6 @@ CreaseSizes sizesFor(const TargetTriangles& target, SharpEdges creases, double s
   return CreaseSizes(target, creases, sizing, execution);
 }
 
-/// The boundary of the region, laid onto the target: as far from creases as the result.
-EditableSurface landed(
-  const OuterRegion& region, const WrapReference& reference, const Execution& execution)
-{
-  const SurfaceMesh boundary = region.boundary(execution);
-  EditableSurface surface(boundary);
-  const std::vector<Vec3> normals = angleWeightedNormals(boundary);
-  forEachIndex(execution, surface.vertexSlots(),
-    [&](Index v)
-    {
-      surface.setPoint(
-        v, reference.onSurface(surface.point(v), normals[at(v)], NoIndex, NoIndex).point);
-    });
-  return surface;
-}
-
 double expectedPoints(EditableSurface& surface, const CreaseSizes& sizes)
 {
   for (Index v = 0; v < surface.vertexSlots(); ++v)
@@ -89,8 +72,11 @@ std::shared_ptr<const CreaseSizes> chooseCreaseSizes(const ShrinkWrapOptions& op
   {
     return nullptr;
   }
-  EditableSurface surface =
-    budget.isLimit ? landed(region, reference, now) : EditableSurface(region.boundary(now));
+  EditableSurface surface(region.boundary(now));
+  if (budget.isLimit)
+  {
+    land(surface, reference, now);
+  }
   for (double shortest = SmallestPart * budget.edgeLength; shortest < budget.edgeLength;
        shortest *= TriedRatio)
   {

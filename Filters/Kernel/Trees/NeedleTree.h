@@ -9,6 +9,7 @@
 #ifndef EVOLVING_NEEDLE_TREE_H
 #define EVOLVING_NEEDLE_TREE_H
 
+#include "Trees/NearestFirst.h"
 #include "Trees/OrientedBox.h"
 #include "Trees/TriangleGeometry.h"
 #include "Types.h"
@@ -76,16 +77,10 @@ public:
 private:
   friend class NeedleTreeBuilder;
 
-  /// A node's number, or ~number for a triangle.
-  struct Pending
-  {
-    Index child;
-    double squaredGap;
-  };
   struct Node
   {
     TurnedBoxes boxes;
-    std::array<Index, TurnedBoxes::Length> children{}; ///< as in Pending
+    std::array<Index, TurnedBoxes::Length> children{}; ///< as visitNearestFirst() has them
     int childCount = 0;
   };
   /// Halves of 2^32 triangles, three to a level.
@@ -101,41 +96,10 @@ void NeedleTree::visitNear(const Vec3& point, double squaredBound, const Visit& 
 {
   constexpr double Rounding = 1.0 - 1e-12; // of a gap, far above that of its dozen operations
   const Vec3 p = point - this->Origin;
-  double bound = squaredBound;
-  std::array<Pending, MostPending> stack; // queries allocate nothing
-  std::size_t size = 0;
-  if (!this->Nodes.empty())
-  {
-    stack[size++] = { 0, 0.0 };
-  }
-  while (size > 0)
-  {
-    const Pending next = stack[--size];
-    if (next.squaredGap > bound)
-    {
-      continue;
-    }
-    if (next.child < 0)
-    {
-      bound = visit(~next.child);
-      continue;
-    }
-    const Node& node = this->Nodes[static_cast<std::size_t>(next.child)];
-    const TurnedBoxes::Lanes gaps = Rounding * node.boxes.squaredGaps(p);
-    const std::size_t first = size;
-    for (int k = 0; k < node.childCount; ++k)
-    {
-      if (gaps[k] <= bound)
-      {
-        std::size_t place = size++;
-        for (; place > first && stack[place - 1].squaredGap < gaps[k]; --place)
-        {
-          stack[place] = stack[place - 1];
-        }
-        stack[place] = { node.children[static_cast<std::size_t>(k)], gaps[k] };
-      }
-    }
-  }
+  visitNearestFirst<MostPending>(
+    this->Nodes, squaredBound,
+    [&](const Node& node) -> TurnedBoxes::Lanes { return Rounding * node.boxes.squaredGaps(p); },
+    visit);
 }
 
 } // namespace evolving

@@ -11,6 +11,7 @@
 
 #include "Trees/BoxNode.h"
 #include "Trees/FloatBox.h"
+#include "Trees/NearestFirst.h"
 #include "Trees/RootFrame.h"
 #include "Types.h"
 
@@ -78,16 +79,10 @@ public:
 private:
   friend class WideBoxTreeBuilder;
 
-  /// A node's number, or ~number for a triangle.
-  struct Pending
-  {
-    Index child;
-    float squaredGap;
-  };
   struct Node
   {
     BoxRow boxes;
-    std::array<Index, BoxRow::Length> children{}; ///< as in Pending
+    std::array<Index, BoxRow::Length> children{}; ///< as visitNearestFirst() has them
     int childCount = 0;
   };
   /// On each level all but one wait: those of the binary tree, and of leaves with many triangles.
@@ -115,41 +110,10 @@ void WideBoxTree::visitNear(const Vec3& point, double squaredBound, const Visit&
   constexpr float Rounding = 2.5e-7F; // of the point, and of its differences from the boxes
   const Eigen::Vector3f p = this->local(point);
   const float margin = Rounding * (1.0F + p.cwiseAbs().maxCoeff());
-  float bound = this->localSquare(squaredBound);
-  std::array<Pending, MostPending> stack; // queries allocate nothing
-  std::size_t size = 0;
-  if (!this->Nodes.empty())
-  {
-    stack[size++] = { 0, 0.0F };
-  }
-  while (size > 0)
-  {
-    const Pending next = stack[--size];
-    if (next.squaredGap > bound)
-    {
-      continue;
-    }
-    if (next.child < 0)
-    {
-      bound = this->localSquare(visit(~next.child));
-      continue;
-    }
-    const Node& node = this->Nodes[static_cast<std::size_t>(next.child)];
-    const BoxRow::Lanes gaps = node.boxes.squaredGaps(p, margin);
-    const std::size_t first = size;
-    for (int k = 0; k < node.childCount; ++k)
-    {
-      if (gaps[k] <= bound)
-      {
-        std::size_t place = size++;
-        for (; place > first && stack[place - 1].squaredGap < gaps[k]; --place)
-        {
-          stack[place] = stack[place - 1];
-        }
-        stack[place] = { node.children[static_cast<std::size_t>(k)], gaps[k] };
-      }
-    }
-  }
+  visitNearestFirst<MostPending>(
+    this->Nodes, this->localSquare(squaredBound),
+    [&](const Node& node) { return node.boxes.squaredGaps(p, margin); },
+    [&](Index triangle) { return this->localSquare(visit(triangle)); });
 }
 
 } // namespace evolving
