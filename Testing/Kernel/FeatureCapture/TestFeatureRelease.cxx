@@ -91,28 +91,11 @@ TEST(FeatureRelease, FreesTheCornersOfBadTrianglesAndNothingElse)
   }
 }
 
-/// A pyramid over a regular polygon whose sides have an angle at the tip, vertex 0, in degrees; its
-/// edges are creases, and its corners pinned. In the middle of the base is one more vertex.
-EditableSurface pyramid(Index sides, double angle)
+/// Whose sides have an angle at the tip, vertex 0, in degrees; its edges there are creases, and it
+/// is pinned.
+EditableSurface creasedPyramid(Index sides, double angle)
 {
-  SurfaceMesh mesh;
-  const double step = 2.0 * Pi / sides;
-  const double side = 2.0 * std::sin(0.5 * step);
-  const double slope = 0.5 * side / std::sin(0.5 * angle * RadiansPerDegree); // base to tip
-  mesh.addPoint(Vec3(0, 0, std::sqrt(slope * slope - 1.0)));
-  const Index middle = mesh.addPoint(Vec3::Zero());
-  for (Index k = 0; k < sides; ++k)
-  {
-    mesh.addPoint(Vec3(std::cos(k * step), std::sin(k * step), 0.0));
-  }
-  for (Index k = 0; k < sides; ++k)
-  {
-    const Index a = 2 + k;
-    const Index b = 2 + (k + 1) % sides;
-    mesh.addFace({ 0, a, b });
-    mesh.addFace({ middle, b, a });
-  }
-  EditableSurface surface(mesh);
+  EditableSurface surface(shapes::pyramid(sides, sides * angle));
   surface.forEachOutgoing(0, [&](Index e) { surface.setCurve(e, 0); });
   surface.setPinned(0);
   return surface;
@@ -120,7 +103,7 @@ EditableSurface pyramid(Index sides, double angle)
 
 TEST(FeatureRelease, SparesTips)
 {
-  const EditableSurface sharp = pyramid(4, 30.0);
+  const EditableSurface sharp = creasedPyramid(4, 30.0);
   EXPECT_EQ(crampedFeatures(sharp, 33.0).size(), 5U);
   EXPECT_TRUE(crampedFeatures(sharp, 33.0, 22.0).empty());
   EXPECT_EQ(crampedFeatures(sharp, 33.0, 31.0).size(), 5U);
@@ -132,16 +115,16 @@ TEST(FeatureRelease, SparesTips)
 
 TEST(FeatureRelease, SparesNoBluntCorner)
 {
-  const EditableSurface blunt = pyramid(7, 26.0); // 182 degrees in all
+  const EditableSurface blunt = creasedPyramid(7, 26.0); // 182 degrees in all
   EXPECT_EQ(crampedFeatures(blunt, 33.0, 22.0).size(), 8U);
-  const EditableSurface tip = pyramid(6, 26.0);
+  const EditableSurface tip = creasedPyramid(6, 26.0);
   EXPECT_TRUE(crampedFeatures(tip, 33.0, 22.0).empty());
 }
 
 /// Each of the creases at the tip of a pyramid is a curve of its own, number k to vertex 2 + k.
 EditableSurface pyramidOfCurves(Index sides, double angle)
 {
-  EditableSurface surface = pyramid(sides, angle);
+  EditableSurface surface = creasedPyramid(sides, angle);
   surface.forEachOutgoing(0, [&](Index e) { surface.setCurve(e, surface.to(e) - 2); });
   for (Index f = 0; f < surface.faceSlots(); ++f)
   {
@@ -184,13 +167,13 @@ TEST(FeatureRelease, KeepsTipsThatThreeTrianglesCanHave)
 {
   for (const double atTips : { 41.0, 39.0 }) // 120 degrees around the tip
   {
-    EditableSurface surface = pyramid(4, 30.0);
+    EditableSurface surface = creasedPyramid(4, 30.0);
     CreaseWorth worth;
     worth.atTips = atTips;
     releaseFeatures(surface, { 0 }, worth);
     EXPECT_EQ(surface.featureEdges(0), 0);
     EXPECT_EQ(surface.isPinned(0), atTips < 40.0);
-    EditableSurface slowly = pyramid(4, 30.0);
+    EditableSurface slowly = creasedPyramid(4, 30.0);
     slowly.forEachOutgoing(0, [&](Index e) { slowly.setCurve(e, NoIndex); });
     slowly.setCurve(edgeTo(slowly, 0, 2), 0);
     releaseWeakest(slowly, { EditableSurface::faceOf(edgeTo(slowly, 0, 2)) }, worth);

@@ -95,6 +95,25 @@ SurfaceMesh cone()
   return mesh;
 }
 
+SurfaceMesh pyramid(Index sides, double degreesAround)
+{
+  SurfaceMesh mesh;
+  const std::vector<Vec3> base = regularPolygon(static_cast<int>(sides));
+  const double halfAngle = 0.5 * degreesAround / sides * RadiansPerDegree;
+  const double slant = std::sin(Pi / sides) / std::sin(halfAngle); // base to tip
+  mesh.addPoint(Vec3(0, 0, std::sqrt(slant * slant - 1.0)));
+  const Index middle = mesh.addPoint(Vec3::Zero());
+  mesh.points.insert(mesh.points.end(), base.begin(), base.end());
+  for (Index k = 0; k < sides; ++k)
+  {
+    const Index a = 2 + k;
+    const Index b = 2 + (k + 1) % sides;
+    mesh.addFace({ 0, a, b });
+    mesh.addFace({ middle, b, a });
+  }
+  return mesh;
+}
+
 SurfaceMesh boxWithDart()
 {
   SurfaceMesh mesh;

@@ -37,6 +37,10 @@ SurfaceMesh cylinder();
 /// Radius and height 1: no crease leads to the apex.
 SurfaceMesh cone();
 
+/// Over a regular polygon of radius 1: vertex 0 is the tip, around which there are so many degrees
+/// in all, vertex 1 the middle of the base, then come the corners; faces 0, 2, ... are the sides.
+SurfaceMesh pyramid(Index sides, double degreesAround);
+
 /**
  * A box whose top falls off to both sides of a ridge that ends in its middle: from there a fold of
  * 77 degrees runs to the middle of one side, all others on the top are below 30.

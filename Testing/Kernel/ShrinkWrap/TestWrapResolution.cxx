@@ -83,7 +83,7 @@ double pointsOn(const SurfaceMesh& mesh, const CreaseSizes& sizes)
   double points = 0.0;
   for (const Vec3& p : samplesOf(mesh, Spacing))
   {
-    points += Spacing * Spacing * 2.0 / (std::sqrt(3.0) * sizes.at(p) * sizes.at(p));
+    points += coveringVertexCount(Spacing * Spacing, sizes.at(p));
   }
   return points;
 }
