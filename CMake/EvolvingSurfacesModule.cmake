@@ -32,35 +32,36 @@ vtk_module_scan(
 vtk_module_build(
   MODULES ${evolvingsurfaces_modules}
   PACKAGE EvolvingSurfaces
-  INSTALL_HEADERS ON
+  INSTALL_EXPORT EvolvingSurfaces
+  HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/EvolvingSurfaces"
   TEST_DIRECTORY_NAME NONE)
 
 # Debian's python3 reads dist-packages, every other one site-packages.
-set(evolvingsurfaces_python_site "python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/site-packages")
-set(evolvingsurfaces_python_build "${CMAKE_INSTALL_LIBDIR}/${evolvingsurfaces_python_site}")
 if (EXISTS "/etc/debian_version")
-  set(EVOLVINGSURFACES_PYTHON_DIR_DEFAULT "lib/python3/dist-packages")
+  set(evolvingsurfaces_python_default "lib/python3/dist-packages")
 else ()
-  set(EVOLVINGSURFACES_PYTHON_DIR_DEFAULT "${evolvingsurfaces_python_build}")
+  set(evolvingsurfaces_python_default
+    "${CMAKE_INSTALL_LIBDIR}/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/site-packages")
 endif ()
-set(EVOLVINGSURFACES_PYTHON_DIR "${EVOLVINGSURFACES_PYTHON_DIR_DEFAULT}" CACHE STRING
-  "Where the Python package is installed, relative to the prefix.")
+set(EVOLVINGSURFACES_PYTHON_DIR "${evolvingsurfaces_python_default}" CACHE STRING
+  "Where the Python package is, relative to the build tree and to the prefix.")
 
 vtk_module_wrap_python(
   MODULES ${evolvingsurfaces_modules}
   TARGET EvolvingSurfaces::FiltersPython
   PYTHON_PACKAGE "evolvingsurfaces"
-  MODULE_DESTINATION "${evolvingsurfaces_python_build}"
+  MODULE_DESTINATION "${EVOLVINGSURFACES_PYTHON_DIR}"
+  LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   INSTALL_HEADERS OFF
   BUILD_STATIC OFF)
 
 # VTK writes no __init__.py; ours re-exports the classes, so that one import serves all.
 set(EVOLVINGSURFACES_PYTHON_EXTENSION vtkEvolvingSurfacesFilters)
-set(evolvingsurfaces_package "${CMAKE_BINARY_DIR}/${evolvingsurfaces_python_build}/evolvingsurfaces")
+set(evolvingsurfaces_package "${CMAKE_BINARY_DIR}/${EVOLVINGSURFACES_PYTHON_DIR}/evolvingsurfaces")
 configure_file(
   "${CMAKE_SOURCE_DIR}/Filters/Python/__init__.py.in" "${evolvingsurfaces_package}/__init__.py" @ONLY)
 install(FILES "${evolvingsurfaces_package}/__init__.py"
-  DESTINATION "${evolvingsurfaces_python_build}/evolvingsurfaces")
+  DESTINATION "${EVOLVINGSURFACES_PYTHON_DIR}/evolvingsurfaces")
 
 if (EVOLVINGSURFACES_USE_PARAVIEW)
   paraview_plugin_scan(
@@ -78,3 +79,5 @@ if (EVOLVINGSURFACES_USE_PARAVIEW)
     PLUGINS_FILE_NAME "evolvingsurfaces.plugins.xml"
     ${evolvingsurfaces_no_help})
 endif ()
+
+include(EvolvingSurfacesPackage)
