@@ -3,24 +3,26 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Installs the packages that building and testing need and that are missing; does nothing when all
-# are there. For Debian 12 and systems with the same packages. Works as root or with sudo.
+# are there. For Debian 12 and 13 and systems with the same packages. Works as root or with sudo.
 #
 # EVOLVINGSURFACES_SKIP_INSTALL=1 skips it: the packages are then yours to provide.
 set -euo pipefail
 
-packages=(
+needed_packages=(
   # compiler and build tools
   g++ make cmake ninja-build
   # ParaView's SDK with its VTK and Python, and the kernel's libraries
   paraview-dev python3-paraview python3-dev libeigen3-dev libgtest-dev
   # what find_package(ParaView) looks for
-  qtbase5-dev qttools5-dev libqt5svg5-dev libqt5opengl5-dev qtxmlpatterns5-dev-tools
   libdouble-conversion-dev libxml2-dev libexpat1-dev libutfcpp-dev libhdf5-openmpi-dev
   libnetcdf-dev libgdal-dev libgl-dev libglew-dev libgl2ps-dev libfreetype-dev libpng-dev
   libogg-dev libtheora-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
   # a display for rendering
   xvfb xauth
 )
+# What it looks for of Qt, and the tool for the plugin's help pages: ParaView 5.11 and 5.13.
+qt5_packages=(qtbase5-dev qttools5-dev libqt5svg5-dev libqt5opengl5-dev qtxmlpatterns5-dev-tools)
+qt6_packages=(qt6-base-dev qt6-tools-dev qt6-tools-dev-tools qt6-svg-dev qt6-5compat-dev xsltproc)
 # An MR scan for an example, 16 MB under BSD-3-Clause: left out where the system has no such package,
 # as its test is skipped then.
 data_packages=(mricron-data)
@@ -36,6 +38,23 @@ fail()
 is_installed()
 {
   [[ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" == installed ]]
+}
+
+# By the package lists that the system has now.
+choose_packages()
+{
+  packages=("${needed_packages[@]}")
+  if apt-cache show paraview 2>/dev/null | grep -q '^Depends:.*libqt6'; then
+    packages+=("${qt6_packages[@]}")
+  else
+    packages+=("${qt5_packages[@]}")
+  fi
+  local package
+  for package in "${data_packages[@]}"; do
+    if apt-cache show "$package" >/dev/null 2>&1; then
+      packages+=("$package")
+    fi
+  done
 }
 
 find_missing()
@@ -76,16 +95,12 @@ if [[ "${EVOLVINGSURFACES_SKIP_INSTALL:-0}" == 1 ]]; then
   exit 0
 fi
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
-  fail "This system has no apt-get; install ParaView's development files, Qt 5, Eigen 3.4," \
+  fail "This system has no apt-get; install ParaView's development files, its Qt, Eigen 3.4," \
     "GoogleTest, CMake, Ninja and Xvfb with your package manager and set" \
     "EVOLVINGSURFACES_SKIP_INSTALL=1."
 fi
 
-for package in "${data_packages[@]}"; do
-  if apt-cache show "$package" >/dev/null 2>&1; then
-    packages+=("$package")
-  fi
-done
+choose_packages
 find_missing
 if [[ ${#missing[@]} -eq 0 ]]; then
   say "all ${#packages[@]} packages are there."
@@ -99,11 +114,13 @@ fi
 say "${#missing[@]} of ${#packages[@]} packages are missing: ${missing[*]}"
 say "updating the package lists"
 as_root apt-get update -q || say "the package lists could not be updated; trying with those here."
+choose_packages
+find_missing
 confirm_removals
 say "installing"
 as_root apt-get install -q -y --no-install-recommends -o Dpkg::Use-Pty=0 "${missing[@]}" ||
   fail "apt-get could not install the packages, see its message above; this script knows the" \
-    "package names of Debian 12."
+    "package names of Debian 12 and 13."
 find_missing
 [[ ${#missing[@]} -eq 0 ]] || fail "Still missing after the installation: ${missing[*]}"
 say "done."

@@ -42,9 +42,9 @@ vtkSmartPointer<vtkMeshSDF> Filter(const SignRow& row, int method, int sign)
 std::string SignsAt(vtkImageData* image, const std::vector<Sample::Point>& places)
 {
   std::string signs;
-  for (const Sample::Point& place : places)
+  for (Sample::Point place : places)
   {
-    const vtkIdType sample = image->FindPoint(place[0], place[1], place[2]);
+    const vtkIdType sample = image->FindPoint(place.data());
     signs += image->GetPointData()->GetScalars()->GetTuple1(sample) < 0.0 ? '-' : '+';
   }
   return signs;

@@ -123,7 +123,7 @@ class SpherePipeline(unittest.TestCase):
         spacing = image.GetSpacing()
         self.assertAlmostEqual(spacing[0], spacing[1], places=12)
         self.assertEqual(image.GetPointData().GetScalars().GetName(), "SignedDistance")
-        center = image.FindPoint(0.0, 0.0, 0.0)
+        center = image.FindPoint((0.0, 0.0, 0.0))
         self.assertAlmostEqual(point_array(image, "SignedDistance")[center], -1.0, delta=0.01)
         corner = math.dist(image.GetOrigin(), (0, 0, 0)) - 1.0
         self.assertAlmostEqual(point_array(image, "SignedDistance")[0], corner, delta=0.01)

@@ -33,10 +33,14 @@ namespace anywhere
 #include "Distance/ClosestPoint/BlockSearch.hxx"
 }
 
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+#if defined(__GNUC__) && defined(__x86_64__) // and Clang, which says that it is GCC too
 #define EVOLVING_HAS_AVX2_SEARCH
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
+#else
 #pragma GCC push_options
 #pragma GCC target("avx2,fma")
+#endif
 #undef EVOLVING_LANES_HAVE_AVX
 #define EVOLVING_LANES_HAVE_AVX 1
 namespace avx2
@@ -51,7 +55,11 @@ namespace avx2
 
 #include "Distance/ClosestPoint/BlockSearch.hxx"
 }
+#if defined(__clang__)
+#pragma clang attribute pop
+#else
 #pragma GCC pop_options
+#endif
 #endif
 
 double longestSpacing(const DistanceGrid& grid)

@@ -72,7 +72,8 @@ public:
         }
       }
     }
-    return count[side] > 0 && count[1 - side] == 0;
+    return count[static_cast<std::size_t>(side)] > 0 &&
+      count[static_cast<std::size_t>(1 - side)] == 0;
   }
 
   bool isOnBoundary(GridIndex sample) const

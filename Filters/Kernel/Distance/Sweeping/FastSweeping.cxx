@@ -38,13 +38,14 @@ constexpr std::array<Directions, 8> SweepOrder{ {
 void smallerNeighbours(
   const SweptField& field, int j, int k, std::vector<float>& alongY, std::vector<float>& alongZ)
 {
-  const auto [width, height, depth] = field.dimensions;
-  const auto row = [&](int rowJ, int rowK) -> const float*
+  const auto row = [&field](int rowJ, int rowK) -> const float*
   {
-    const bool exists = rowJ >= 0 && rowJ < height && rowK >= 0 && rowK < depth;
+    const bool exists =
+      rowJ >= 0 && rowJ < field.dimensions[1] && rowK >= 0 && rowK < field.dimensions[2];
     return exists ? field.distance.data() + field.index(0, rowJ, rowK) : nullptr;
   };
-  const auto smaller = [width = width](const float* a, const float* b, std::vector<float>& result)
+  const auto smaller = [width = field.dimensions[0]](
+                         const float* a, const float* b, std::vector<float>& result)
   {
     a = a ? a : b;
     b = b ? b : a;
