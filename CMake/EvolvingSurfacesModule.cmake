@@ -13,6 +13,8 @@ option(EVOLVINGSURFACES_USE_PARAVIEW
   "Build against ParaView's SDK, with the plugin; otherwise against plain VTK." ON)
 
 if (EVOLVINGSURFACES_USE_PARAVIEW)
+  include(MendedParaView)
+  evolvingsurfaces_mend_paraview()
   find_package(ParaView REQUIRED)
 else ()
   find_package(VTK 9.1 REQUIRED COMPONENTS

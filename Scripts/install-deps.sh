@@ -44,7 +44,7 @@ is_installed()
 choose_packages()
 {
   packages=("${needed_packages[@]}")
-  if apt-cache show paraview 2>/dev/null | grep -q '^Depends:.*libqt6'; then
+  if apt-cache show paraview 2>/dev/null | grep '^Depends:.*libqt6' >/dev/null; then
     packages+=("${qt6_packages[@]}")
   else
     packages+=("${qt5_packages[@]}")
