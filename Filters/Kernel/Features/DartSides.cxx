@@ -6,6 +6,8 @@
 #include "Mesh/DisjointSets.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace evolving
 {
@@ -29,22 +31,20 @@ bool hasVertex(const TargetTriangles& target, Index edge, Index vertex)
 std::vector<std::vector<Index>> fansAround(
   const TargetTriangles& target, const SharpEdges& sharp, Index vertex)
 {
-  std::vector<Index> left(target.facesBegin(vertex), target.facesEnd(vertex));
+  std::set<Index> left(target.facesBegin(vertex), target.facesEnd(vertex));
   std::vector<std::vector<Index>> fans;
   while (!left.empty())
   {
-    std::vector<Index> fan{ left.front() };
+    std::vector<Index> fan{ *left.begin() };
     left.erase(left.begin());
     for (std::size_t k = 0; k < fan.size(); ++k)
     {
       forEachSmoothNeighbour(target, sharp, fan[k],
         [&](Index other, Index edge)
         {
-          const auto found = std::lower_bound(left.begin(), left.end(), other);
-          if (hasVertex(target, edge, vertex) && found != left.end() && *found == other)
+          if (hasVertex(target, edge, vertex) && left.erase(other) != 0)
           {
             fan.push_back(other);
-            left.erase(found);
           }
         });
     }

@@ -4,6 +4,7 @@
 #include "Algebra/ConjugateGradients.h"
 
 #include "Errors.h"
+#include "Shapes/Draws.h"
 #include "ThreadedExecution.h"
 
 #include <Eigen/Dense>
@@ -48,7 +49,7 @@ std::vector<Vec3> randomPoints(Index n, unsigned seed)
   std::vector<Vec3> points;
   for (Index i = 0; i < n; ++i)
   {
-    points.emplace_back(value(random), value(random), value(random));
+    points.push_back(shapes::drawnVector(value, random));
   }
   return points;
 }

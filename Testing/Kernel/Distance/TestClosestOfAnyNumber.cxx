@@ -10,6 +10,7 @@
 #include "Distance/ClosestPoint/ClosestOnGrid.h"
 
 #include "Distance/ClosestTriangles.h"
+#include "Shapes/Draws.h"
 #include "Trees/TriangleGeometry.h"
 
 #include <gtest/gtest.h>
@@ -108,7 +109,7 @@ std::vector<Arrangement> arrangements()
   std::vector<Vec3> anywhere;
   for (int n = 0; n < MostFaces; ++n)
   {
-    anywhere.emplace_back(uniform(random), uniform(random), uniform(random));
+    anywhere.push_back(shapes::drawnVector(uniform, random));
   }
   return {
     { "random", [anywhere](int n) { return anywhere[static_cast<std::size_t>(n)]; } },

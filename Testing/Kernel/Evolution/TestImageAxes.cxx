@@ -11,6 +11,7 @@
 #include "Evolution/EvolutionFields.h"
 #include "Evolution/FlowRuns.h"
 #include "Evolution/SurfaceFlow.h"
+#include "Shapes/Draws.h"
 #include "Shapes/SampledOnGrid.h"
 #include "Shapes/Spheres.h"
 
@@ -64,7 +65,7 @@ std::vector<Vec3> pointsAround(const ScalarImage& image)
   std::vector<Vec3> points;
   for (int i = 0; i < 300; ++i)
   {
-    const Vec3 at(part(random), part(random), part(random));
+    const Vec3 at = shapes::drawnVector(part, random);
     points.push_back(image.box().min() + at.cwiseProduct(image.box().diagonal()));
   }
   return points;

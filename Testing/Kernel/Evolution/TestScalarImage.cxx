@@ -5,6 +5,7 @@
 
 #include "Errors.h"
 #include "Evolution/EvolutionFields.h"
+#include "Shapes/Draws.h"
 #include "Shapes/SampledOnGrid.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +34,7 @@ Vec3 randomPointIn(const DistanceGrid& grid, std::mt19937& random)
   std::uniform_real_distribution<double> part(0.0, 1.0);
   const Vec3 low = grid.point(grid.extent[0], grid.extent[2], grid.extent[4]);
   const Vec3 high = grid.point(grid.extent[1], grid.extent[3], grid.extent[5]);
-  return low + Vec3(part(random), part(random), part(random)).cwiseProduct(high - low);
+  return low + shapes::drawnVector(part, random).cwiseProduct(high - low);
 }
 
 } // namespace

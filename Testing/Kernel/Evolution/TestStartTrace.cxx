@@ -63,7 +63,7 @@ TEST(StartTrace, PointsOfASphereComeFromTheDirectionTheyLieIn)
 TEST(StartTrace, SoDoThoseOfStatesThatAreComputedAgain)
 {
   StateSeries series = remeshedSphere(true, 0);
-  for (const std::size_t step : { 13, 9, 20, 11 })
+  for (const std::size_t step : { 13U, 9U, 20U, 11U })
   {
     SCOPED_TRACE(step);
     expectDirections(*series.state(step, {}));

@@ -4,6 +4,7 @@
 #include "Mesh/FloatPoints.h"
 
 #include "Mesh/MeshQuality.h"
+#include "Shapes/Draws.h"
 #include "Shapes/Spheres.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +54,7 @@ TEST(FloatPoints, NoPointIsLeftAsItIs)
     std::vector<Vec3> points(count);
     for (Vec3& point : points)
     {
-      point = Vec3(coordinate(random), coordinate(random), coordinate(random));
+      point = shapes::drawnVector(coordinate, random);
     }
     const std::vector<Vec3> rounded = roundedToFloats(points);
     for (std::size_t i = 0; i < count; ++i)

@@ -5,6 +5,7 @@
 
 #include "Errors.h"
 #include "Mesh/Angles.h"
+#include "Shapes/Draws.h"
 
 #include <gtest/gtest.h>
 
@@ -193,7 +194,7 @@ TEST(PolygonTriangulation, TakesTheShortestCutOfAllEars)
       const double angle = 2.0 * 3.14159265358979323846 * k / (5 + n);
       const double height = n % 3 == 0 ? uniform(random) : 0.0;
       star.push_back(uniform(random) * Vec3(std::cos(angle), std::sin(angle), height));
-      tangled.push_back(Vec3(onLattice(random), onLattice(random), 0));
+      tangled.push_back(shapes::drawnInPlane(onLattice, random));
     }
     polygons.insert(
       polygons.end(), { star, tangled, std::vector<Vec3>(star.rbegin(), star.rend()) });

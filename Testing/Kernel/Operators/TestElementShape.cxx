@@ -118,7 +118,7 @@ TEST(BestShapeMove, GoesToTheMinimumByNewtonsMethod)
   }
   EXPECT_GT(moves[0], 0.1);
   EXPECT_LT(moves[6], 1e-14);
-  for (int k = 2; k < 5; ++k) // squares of the error, until rounding
+  for (std::size_t k = 2; k < 5; ++k) // squares of the error, until rounding
   {
     EXPECT_LT(moves[k + 1], std::max(5.0 * moves[k] * moves[k], 1e-14)) << "step " << k;
   }

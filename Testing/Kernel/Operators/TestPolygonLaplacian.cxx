@@ -5,6 +5,7 @@
 
 #include "Mesh/Angles.h"
 #include "Operators/Discretization.h"
+#include "Shapes/Draws.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@ TEST(PolygonLaplacian, SplittingAQuadByHandGivesTheFoldedMatrix)
   SurfaceMesh quad;
   for (const Vec3& p : { Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1.2, 1, 0), Vec3(0, 0.8, 0) })
   {
-    quad.addPoint(p + Vec3(shift(random), shift(random), shift(random)));
+    quad.addPoint(p + shapes::drawnVector(shift, random));
   }
   quad.addFace({ 0, 1, 2, 3 });
   const VirtualVertex apex = virtualVertex(quad.points);
@@ -90,7 +91,7 @@ TEST(PolygonLaplacian, VirtualVertexMinimisesTheSquaredAreas)
   const Vec3 apex = virtualVertex(corners).point;
   for (int trial = 0; trial < 20; ++trial)
   {
-    const Vec3 other = apex + 0.01 * Vec3(shift(random), shift(random), shift(random));
+    const Vec3 other = apex + 0.01 * shapes::drawnVector(shift, random);
     EXPECT_LT(energy(apex), energy(other));
   }
 }

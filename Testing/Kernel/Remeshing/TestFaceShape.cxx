@@ -3,6 +3,7 @@
 
 #include "Remeshing/FaceShape.h"
 
+#include "Shapes/Draws.h"
 #include "Shapes/MeshVariants.h"
 #include "Trees/Barycentric.h"
 
@@ -111,7 +112,7 @@ TEST(FaceShape, CosinesAreComparedAsIfTheyWereComputed)
 {
   std::mt19937 random(13);
   std::normal_distribution<double> normal;
-  const auto somewhere = [&] { return Vec3(normal(random), normal(random), normal(random)); };
+  const auto somewhere = [&] { return shapes::drawnVector(normal, random); };
   for (const double scale : { 1e-80, 1e-20, 1.0, 1e20 })
   {
     for (int n = 0; n < 500; ++n)

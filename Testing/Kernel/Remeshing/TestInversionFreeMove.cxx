@@ -5,6 +5,7 @@
 
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/Draws.h"
 #include "Shapes/Sheets.h"
 #include "StartSurface/PrimitiveSurfaces.h"
 #include "ThreadedExecution.h"
@@ -44,7 +45,7 @@ std::vector<Vec3> thrown(const EditableSurface& surface, double amount, unsigned
   std::vector<Vec3> points;
   for (Index v = 0; v < surface.vertexSlots(); ++v)
   {
-    points.push_back(surface.point(v) + Vec3(shift(random), shift(random), shift(random)));
+    points.push_back(surface.point(v) + shapes::drawnVector(shift, random));
   }
   return points;
 }

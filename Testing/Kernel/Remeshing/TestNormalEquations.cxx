@@ -77,7 +77,7 @@ TEST_P(NormalEquationsOf, FacesAreTheirSum)
     NormalEquations equations(surface, unknowns, perVertex);
     equations.assemble(terms, threadedExecution(3, 1));
 
-    const Eigen::Index size = equations.rightSide().size();
+    const auto size = static_cast<Eigen::Index>(equations.rightSide().size());
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
     Eigen::VectorXd rightSide = Eigen::VectorXd::Zero(size);
     for (Index f = 0; f < surface.faceSlots(); ++f)

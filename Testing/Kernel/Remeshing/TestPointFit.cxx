@@ -8,6 +8,7 @@
 #include "Mesh/SelfIntersections.h"
 #include "Remeshing/EditingChecks.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/Draws.h"
 #include "Shapes/MeshVariants.h"
 #include "Shapes/Spheres.h"
 #include "StartSurface/PrimitiveSurfaces.h"
@@ -38,7 +39,7 @@ std::vector<Vec3> spherePoints(int count, const Keep& keep)
   std::vector<Vec3> points;
   while (static_cast<int>(points.size()) < count)
   {
-    const Vec3 p = Vec3(normal(generator), normal(generator), normal(generator)).normalized();
+    const Vec3 p = shapes::drawnVector(normal, generator).normalized();
     if (keep(p))
     {
       points.push_back(p);

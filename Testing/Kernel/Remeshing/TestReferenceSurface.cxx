@@ -5,6 +5,7 @@
 #include "Remeshing/ReferenceSurface.h"
 #include "Remeshing/Remeshing.h"
 #include "Remeshing/RemeshingShapes.h"
+#include "Shapes/Draws.h"
 #include "Shapes/Polyhedra.h"
 #include "Shapes/Spheres.h"
 #include "StartSurface/PrimitiveSurfaces.h"
@@ -25,7 +26,7 @@ using namespace evolving;
 Vec3 randomDirection(std::mt19937& generator)
 {
   std::normal_distribution<double> normal;
-  return Vec3(normal(generator), normal(generator), normal(generator)).normalized();
+  return shapes::drawnVector(normal, generator).normalized();
 }
 
 /// The root mean square distance of feet on an icosphere from the unit sphere.

@@ -4,6 +4,7 @@
 #include "Shapes/MeshVariants.h"
 
 #include "Mesh/MeshTopology.h"
+#include "Shapes/Draws.h"
 
 #include <Eigen/Geometry>
 
@@ -72,7 +73,7 @@ SurfaceMesh shaken(SurfaceMesh mesh, double amount, unsigned seed)
   std::uniform_real_distribution<double> shift(-amount, amount);
   for (Vec3& p : mesh.points)
   {
-    p += Vec3(shift(random), shift(random), shift(random));
+    p += drawnVector(shift, random);
   }
   return mesh;
 }
@@ -84,7 +85,7 @@ SurfaceMesh shakenInside(SurfaceMesh mesh, double amount, unsigned seed)
   std::uniform_real_distribution<double> shift(-amount, amount);
   for (Index i = 0; i < mesh.vertexCount(); ++i)
   {
-    const Vec3 move(shift(random), shift(random), 0.0);
+    const Vec3 move = drawnInPlane(shift, random);
     mesh.points[static_cast<std::size_t>(i)] += topology.isBoundary(i) ? Vec3(Vec3::Zero()) : move;
   }
   return mesh;
@@ -186,7 +187,7 @@ SurfaceMesh randomSoup(int count, double size, std::uint32_t seed)
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  const auto vector = [&] { return Vec3(uniform(random), uniform(random), uniform(random)); };
+  const auto vector = [&] { return drawnVector(uniform, random); };
   SurfaceMesh mesh;
   for (int t = 0; t < count; ++t)
   {

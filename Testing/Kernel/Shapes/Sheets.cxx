@@ -4,6 +4,7 @@
 #include "Shapes/Sheets.h"
 
 #include "Mesh/Angles.h"
+#include "Shapes/Draws.h"
 
 #include <cmath>
 #include <random>
@@ -71,7 +72,7 @@ SurfaceMesh shakenSheet(Index n, bool triangles, double amount, unsigned seed)
   for (Vec3& p : mesh.points)
   {
     const bool isInner = p.x() > 1e-9 && p.x() < 1.0 - 1e-9 && p.y() > 1e-9 && p.y() < 1.0 - 1e-9;
-    p += isInner ? Vec3(shift(random), shift(random), 0.0) : Vec3(Vec3::Zero());
+    p += isInner ? drawnInPlane(shift, random) : Vec3(Vec3::Zero());
   }
   return mesh;
 }

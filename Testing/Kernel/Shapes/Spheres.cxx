@@ -5,6 +5,7 @@
 
 #include "Mesh/Angles.h"
 #include "Mesh/MeshQuality.h"
+#include "Shapes/Draws.h"
 #include "Shapes/MeshVariants.h"
 #include "Shapes/Polyhedra.h"
 #include "Shapes/Sheets.h"
@@ -93,7 +94,7 @@ SurfaceMesh unevenSphere(int level)
   const double edge = 1.1 * std::pow(0.5, level);
   for (Vec3& p : mesh.points)
   {
-    p += edge * Vec3(shift(random), shift(random), shift(random));
+    p += edge * drawnVector(shift, random);
     p = (p + Vec3(0.3, 0.2, 0.45)).normalized();
   }
   return mesh;

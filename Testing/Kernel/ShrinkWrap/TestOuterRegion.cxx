@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Shapes/Draws.h"
 #include "ShrinkWrap/OuterRegion.h"
 
 #include "Evolution/EvolutionFields.h"
@@ -76,7 +77,7 @@ TEST(OuterRegion, ReachabilityGoesFromZeroToOneAcrossTheBallsCentres)
   std::normal_distribution<double> normal;
   for (int i = 0; i < 200; ++i)
   {
-    const Vec3 way = Vec3(normal(generator), normal(generator), normal(generator)).normalized();
+    const Vec3 way = shapes::drawnVector(normal, generator).normalized();
     EXPECT_EQ(region.reachable(1.3 * way), 1.0);
     EXPECT_NEAR(region.reachable(1.2 * way), 0.5, 0.1);
     EXPECT_EQ(region.reachable(1.1 * way), 0.0);

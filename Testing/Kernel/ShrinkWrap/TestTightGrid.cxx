@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Shapes/Draws.h"
 #include "ShrinkWrap/TightGrid.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ TEST(TightGrid, CoversTheBoxAndItsRoomWithThreeCellsToSpare)
   for (int i = 0; i < 500; ++i)
   {
     const Vec3 low(length(generator), -length(generator), length(generator));
-    const Box box(low, low + Vec3(length(generator), length(generator), length(generator)));
+    const Box box(low, low + shapes::drawnVector(length, generator));
     const std::array<int, 3> dimensions = { count(generator), count(generator), count(generator) };
     const double room = length(generator) / 10.0;
     const DistanceGrid grid = tightGrid(box, dimensions, room);
@@ -63,7 +64,7 @@ TEST(TightGrid, RoomForCellsIsTheInverse)
   std::uniform_int_distribution<int> count(9, 90);
   for (int i = 0; i < 200; ++i)
   {
-    const Box box(Vec3::Zero(), Vec3(length(generator), length(generator), length(generator)));
+    const Box box(Vec3::Zero(), shapes::drawnVector(length, generator));
     const std::array<int, 3> dimensions = { count(generator), count(generator), count(generator) };
     const double room = length(generator);
     const double cell = tightGrid(box, dimensions, room).spacing.x();

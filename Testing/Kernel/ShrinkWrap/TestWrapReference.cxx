@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Shapes/Draws.h"
 #include "ShrinkWrap/WrapReference.h"
 
 #include "Remeshing/RemeshingShapes.h"
@@ -37,7 +38,7 @@ SurfaceMesh sheetOfSide(double side, Index squares)
 Vec3 randomDirection(std::mt19937& generator)
 {
   std::normal_distribution<double> normal;
-  return Vec3(normal(generator), normal(generator), normal(generator)).normalized();
+  return shapes::drawnVector(normal, generator).normalized();
 }
 
 TEST(WrapReference, OfAClosedSurfaceIsTheSurface)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Shapes/Draws.h"
 #include "Trees/AABBTree.h"
 
 #include "Checks/AllTriangles.h"
@@ -35,7 +36,7 @@ SurfaceMesh pointSet(int count)
   SurfaceMesh mesh;
   for (int n = 0; n < count; ++n)
   {
-    const Index p = mesh.addPoint(Vec3(uniform(random), uniform(random), uniform(random)));
+    const Index p = mesh.addPoint(shapes::drawnVector(uniform, random));
     mesh.addFace({ p, p, p });
   }
   return mesh;

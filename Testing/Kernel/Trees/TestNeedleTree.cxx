@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Shapes/Draws.h"
 #include "Trees/NeedleTree.h"
 
 #include "Checks/AllTriangles.h"
@@ -42,7 +43,7 @@ SurfaceMesh strewnNeedles(int count)
 {
   std::mt19937 random(31);
   std::normal_distribution<double> normal;
-  const auto somewhere = [&] { return Vec3(normal(random), normal(random), normal(random)); };
+  const auto somewhere = [&] { return shapes::drawnVector(normal, random); };
   SurfaceMesh mesh;
   for (int n = 0; n < count; ++n)
   {
@@ -106,7 +107,7 @@ TEST(NeedleTree, FindsTheClosestAtAnyScaleAndPlace)
         {
           for (int n = 0; n < 10; ++n)
           {
-            const Vec3 way(normal(random), normal(random), normal(random));
+            const Vec3 way = shapes::drawnVector(normal, random);
             const Triangle& near = tree.triangle((n * 37) % tree.triangleCount());
             const Vec3 point = near.centroid() + scale * distance * way;
             const Index expected = checks::closestOfAll(tree, point);
@@ -130,7 +131,7 @@ TEST(NeedleTree, VisitsFewNeedlesSideBySide)
   constexpr int Points = 500;
   for (int n = 0; n < Points; ++n)
   {
-    const Vec3 beside(uniform(random), uniform(random), uniform(random));
+    const Vec3 beside = shapes::drawnVector(uniform, random);
     const Triangle& near = tree.triangle((n * 11) % tree.triangleCount());
     visits += nearestOf(needles, tree, near.centroid() + beside).visits;
   }

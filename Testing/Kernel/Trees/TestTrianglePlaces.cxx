@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Shapes/Draws.h"
 #include "Trees/TrianglePlaces.h"
 
 #include "StartSurface/PrimitiveSurfaces.h"
@@ -25,7 +26,7 @@ std::vector<Vec3> randomPoints(std::size_t count, double size)
   std::vector<Vec3> points(count);
   for (Vec3& point : points)
   {
-    point = Vec3(uniform(generator), uniform(generator), uniform(generator));
+    point = shapes::drawnVector(uniform, generator);
   }
   return points;
 }

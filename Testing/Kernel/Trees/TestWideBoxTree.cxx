@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Shapes/Draws.h"
 #include "Trees/WideBoxTree.h"
 
 #include "Checks/AllTriangles.h"
@@ -64,7 +65,7 @@ TEST(WideBoxTree, FindsTheClosestAtAnyScaleAndPlace)
       {
         for (int n = 0; n < 20; ++n)
         {
-          const Vec3 way(normal(random), normal(random), normal(random));
+          const Vec3 way = shapes::drawnVector(normal, random);
           const Vec3 point = scale * (shift + distance * way);
           ASSERT_EQ(tree.closest(point).triangle, checks::closestOfAll(tree, point))
             << "scale " << scale << ", shift " << shift.transpose() << ", distance " << distance;

@@ -9,6 +9,7 @@
 #include "Mesh/Angles.h"
 #include "Mesh/MeshQuality.h"
 #include "Mesh/TriangleEdges.h"
+#include "Shapes/Draws.h"
 #include "Shapes/MeshVariants.h"
 #include "Shapes/Polyhedra.h"
 #include "Shapes/Spheres.h"
@@ -130,7 +131,7 @@ TEST(OpenEdgeCaps, AndTheSurfaceHaveAWholeWindingNumber)
     triangles.insert(triangles.end(), caps.begin(), caps.end());
     for (int n = 0; n < 50; ++n)
     {
-      const Vec3 point(uniform(random), uniform(random), uniform(random));
+      const Vec3 point = shapes::drawnVector(uniform, random);
       double sum = 0.0;
       for (const Triangle& triangle : triangles)
       {

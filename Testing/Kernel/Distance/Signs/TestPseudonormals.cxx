@@ -4,6 +4,7 @@
 #include "Distance/Signs/Pseudonormals.h"
 
 #include "Mesh/TriangleEdges.h"
+#include "Shapes/Draws.h"
 #include "Shapes/Polyhedra.h"
 #include "Trees/AABBTree.h"
 
@@ -53,7 +54,7 @@ TEST(Pseudonormals, TellInsideFromOutsideAtASpike)
   for (int n = 0; n < 3000; ++n)
   {
     const Vec3 point = n % 2 == 0
-      ? Vec3(uniform(random), uniform(random), uniform(random))
+      ? shapes::drawnVector(uniform, random)
       : Vec3(0.05 * uniform(random), 0.05 * uniform(random), uniform(random));
     bool expected = true;
     for (Index face = 0; face < 4; ++face)

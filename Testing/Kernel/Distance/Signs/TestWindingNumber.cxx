@@ -4,6 +4,7 @@
 #include "Distance/Signs/WindingNumber.h"
 
 #include "Errors.h"
+#include "Shapes/Draws.h"
 #include "Shapes/MeshVariants.h"
 #include "Shapes/Polyhedra.h"
 #include "Shapes/Spheres.h"
@@ -65,7 +66,7 @@ TEST(WindingNumber, AgreesWithTheSumOverAllTriangles)
     std::uniform_real_distribution<double> uniform(-1.5, 1.5);
     for (int n = 0; n < 400; ++n)
     {
-      const Vec3 point(uniform(random), uniform(random), uniform(random));
+      const Vec3 point = shapes::drawnVector(uniform, random);
       EXPECT_NEAR(winding.at(point), exactSum(triangles, point), 0.5 * WindingNumber::Tolerance);
     }
   }
