@@ -4,7 +4,7 @@
 #
 # demo.sh [MESH [OUTDIR]]
 #
-# Installs what is missing, builds build/release and shrink-wraps MESH (.obj .ply .stl .vtk .vtp;
+# Installs what is missing, builds the product in build/release and shrink-wraps MESH (.obj .ply .stl .vtk .vtp;
 # default: Data/bunny.ply) into OUTDIR (default: demo-output): evolution.pvd, result.vtp,
 # history.csv and result.png. Further arguments go to demo.py; see demo.py --help.
 set -euo pipefail
@@ -27,8 +27,8 @@ output="${2:-demo-output}"
 
 echo "== Packages"
 bash "$root/Scripts/install-deps.sh"
-echo "== Build"
-bash "$root/Scripts/build.sh" release
+echo "== Build, the first time three to five minutes on two cores"
+bash "$root/Scripts/build.sh" release product
 echo "== Shrink wrap"
 package="$(find "$root/build/release" -type d -path '*-packages/evolvingsurfaces' -print -quit)"
 [[ -n "$package" ]] || fail "The build made no Python package evolvingsurfaces; remove" \
