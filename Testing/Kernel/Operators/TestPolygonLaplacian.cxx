@@ -26,9 +26,8 @@ TEST(PolygonLaplacian, SplittingAQuadByHandGivesTheFoldedMatrix)
   }
   quad.addFace({ 0, 1, 2, 3 });
   const VirtualVertex apex = virtualVertex(quad.points);
-  SurfaceMesh fan = quad;
-  fan.faceOffsets = { 0 };
-  fan.cornerVertices.clear();
+  SurfaceMesh fan;
+  fan.points = quad.points;
   fan.addPoint(apex.point);
   for (Index k = 0; k < 4; ++k)
   {
