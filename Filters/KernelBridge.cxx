@@ -22,6 +22,7 @@
 #include <new>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 
 namespace KernelBridge
 {
@@ -76,6 +77,14 @@ Outcome Run(vtkAlgorithm* filter, const std::function<void(const evolving::Execu
   {
     // Of a standard container that was to have more elements than there are addresses.
     SayOutOfMemory(filter);
+  }
+  catch (const std::system_error&)
+  {
+    // VTK 9.3 starts threads of its own when it is asked how many there are.
+    vtkErrorWithObjectMacro(filter,
+      "The system gave VTK no thread, as it does when memory runs out; close other programs, or "
+      "set "
+      "VTK_SMP_MAX_THREADS to a smaller number.");
   }
   catch (const std::exception& error)
   {

@@ -184,6 +184,10 @@ int UpdateLimited(const FilterCase& filterCase, int threads, std::size_t bytes)
     [&]()
     {
       setenv("VTK_SMP_BACKEND_IN_USE", "STDThread", 1); // the user's choice
+      // From 9.3 on VTK starts its threads when first asked, and ends the process where it gets
+      // none.
+      vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false },
+        []() { vtkSMPTools::IsParallelScope(); });
       filter = filterCase.Make();
       log = std::make_unique<EventLog>(filter);
     },
