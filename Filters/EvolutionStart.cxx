@@ -25,8 +25,7 @@ EvolutionStart::EvolutionStart(
     isSplit ? KernelBridge::ReadTriangles(input, execution) : KernelBridge::ReadSurface(input);
   std::vector<evolving::Index> oldVertex;
   std::vector<evolving::Index> oldFace;
-  const evolving::SurfaceMesh start =
-    evolving::weldCoincidentPoints(surface.mesh, &oldVertex, &oldFace);
+  const evolving::SurfaceMesh start = evolving::weldOpenParts(surface.mesh, &oldVertex, &oldFace);
   this->Start = std::make_shared<const evolving::SurfaceMesh>(
     IsInsideOut(start) ? evolving::reversed(start) : start);
   this->WithSlivers = this->Start;

@@ -26,8 +26,8 @@ class EvolutionStart
 {
 public:
   /**
-   * Welded and, where it is closed, with normals outwards: contour filters turn them to lower
-   * values, which is inwards for a signed distance.
+   * Welded where it is not closed as it is and, where it is closed, with normals outwards: contour
+   * filters turn them to lower values, which is inwards for a signed distance.
    * @param isSplit polygons become triangles
    * @throws evolving::InputError, evolving::Cancelled
    */

@@ -28,6 +28,7 @@
 #include "LabelSurfaces/LabelNumbers.h"
 #include "LabelSurfaces/LabelSurfaces.h"
 #include "Mesh/FloatPoints.h"
+#include "Mesh/PartWelding.h"
 #include "Mesh/PolygonTriangulation.h"
 #include "Mesh/SurfaceMesh.h"
 #include "Mesh/TopologySummary.h"
@@ -103,7 +104,8 @@ struct WeldedSurface
   std::vector<evolving::Index> vertexOfPoint;
 };
 
-/// As ReadSurface(), with coincident points joined; faces that lose an edge by it are left out.
+/// As ReadSurface(), with coincident points joined, but for those of parts that are closed as they
+/// are; faces that lose an edge by it are left out.
 WeldedSurface ReadWelded(vtkPolyData* input);
 
 /// New points, of that type, for a copy of the input: each moves with its vertex, unused ones stay.

@@ -10,7 +10,9 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <cstddef>
 #include <type_traits>
+#include <vector>
 
 namespace KernelBridge
 {
@@ -20,8 +22,22 @@ WeldedSurface ReadWelded(vtkPolyData* input)
 {
   const evolving::SurfaceMesh mesh = ReadSurface(input).mesh;
   WeldedSurface surface;
-  surface.mesh = evolving::weldCoincidentPoints(mesh);
+  const std::vector<evolving::Index> first = evolving::verticesToJoin(mesh);
+  std::vector<evolving::Index> oldVertex;
+  surface.mesh = evolving::joinVertices(mesh, first, &oldVertex);
+  // Points that no face uses move with the vertex at their place.
   surface.vertexOfPoint = evolving::vertexOfEachPoint(mesh.points, surface.mesh.points);
+  std::vector<evolving::Index> numbers(mesh.points.size(), evolving::NoIndex);
+  for (std::size_t vertex = 0; vertex < oldVertex.size(); ++vertex)
+  {
+    numbers[evolving::at(oldVertex[vertex])] = static_cast<evolving::Index>(vertex);
+  }
+  for (std::size_t i = 0; i < first.size(); ++i)
+  {
+    const bool isUsed =
+      first[i] != evolving::NoIndex && numbers[evolving::at(first[i])] != evolving::NoIndex;
+    surface.vertexOfPoint[i] = isUsed ? numbers[evolving::at(first[i])] : surface.vertexOfPoint[i];
+  }
   return surface;
 }
 

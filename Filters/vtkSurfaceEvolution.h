@@ -15,8 +15,9 @@
  * (`Flow`).
  *
  * Input 0 is the start surface: triangles, quads or polygons, oriented and 2-manifold, closed or
- * with boundary; coincident points are joined first, and a closed surface that is inside out, as
- * contour filters make it of a signed distance, is turned. Input 1, optional, is a vtkImageData
+ * with boundary; coincident points are joined first, but for those of parts that are closed as they
+ * are, and a closed surface that is inside out, as contour filters make it of a signed distance, is
+ * turned. Input 1, optional, is a vtkImageData
  * whose active scalars are the field: a signed distance (negative inside, as vtkMeshSDF makes
  * it), or an image to segment (`FieldMode`); its direction matrix may turn or mirror it. Another
  * array, of the points or the cells, is chosen by SetInputArrayToProcess(0, 1, 0, association,

@@ -6,6 +6,7 @@
 #include "ChangedSurfaces.h"
 
 #include "vtkCellArray.h"
+#include "vtkCleanPolyData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -103,27 +104,52 @@ Surface StripWithWrongId()
 }
 
 //------------------------------------------------------------------------------
-/// Two cubes with one edge in common: four faces meet there.
-Surface EdgeOfFourFaces()
+/// Two closed cubes, one beside the other, each with points of its own.
+Surface TwoCubes(const Point& way)
 {
-  const auto cube = Sample::Box(2);
-  const auto moved = Sample::Mapped(cube,
-    [](const Point& p) -> Point {
-      return { p[0] + 2.0, p[1] + 2.0, p[2] };
-    });
-  return Sample::Together(cube, moved);
+  const auto second = Sample::Box(2);
+  for (vtkIdType i = 0; i < second->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    second->GetPoint(i, p);
+    second->GetPoints()->SetPoint(i, p[0] + way[0], p[1] + way[1], p[2] + way[2]);
+  }
+  return Sample::Together(Sample::Box(2), second);
 }
 
 //------------------------------------------------------------------------------
-/// Two cubes with one corner in common.
+/// With points in common.
+Surface Joined(const Surface& surface)
+{
+  vtkNew<vtkCleanPolyData> joined;
+  joined->SetInputData(surface);
+  joined->Update();
+  return joined->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+Surface CubesAlongAnEdge()
+{
+  return TwoCubes({ 2.0, 2.0, 0.0 });
+}
+
+//------------------------------------------------------------------------------
+Surface CubesInACorner()
+{
+  return TwoCubes({ 2.0, 2.0, 2.0 });
+}
+
+//------------------------------------------------------------------------------
+/// Four faces meet at one edge.
+Surface EdgeOfFourFaces()
+{
+  return Joined(CubesAlongAnEdge());
+}
+
+//------------------------------------------------------------------------------
 Surface PointOfTwoFans()
 {
-  const auto cube = Sample::Box(2);
-  const auto moved = Sample::Mapped(cube,
-    [](const Point& p) -> Point {
-      return { p[0] + 2.0, p[1] + 2.0, p[2] + 2.0 };
-    });
-  return Sample::Together(cube, moved);
+  return Joined(CubesInACorner());
 }
 
 //------------------------------------------------------------------------------
@@ -194,6 +220,8 @@ const std::vector<DirtySurface>& DirtySurfaces()
     { "Huge", []() { return Scaled(1e30); }, R, R, R, R, R },
     { "StrayPoint", WithStrayPoint, R, R, R, R, R },
     { "DuplicateFaces", WithDuplicateFaces, R, X, X, R, R },
+    { "CubesAlongAnEdge", CubesAlongAnEdge, R, R, R, R, R },
+    { "CubesInACorner", CubesInACorner, R, R, R, R, R },
     { "EdgeOfFourFaces", EdgeOfFourFaces, R, X, X, R, R },
     { "PointOfTwoFans", PointOfTwoFans, R, X, X, R, R },
     { "MixedOrientation", []() { return Sample::WithMixedOrientation(Sphere()); }, R, X, X, R, R },

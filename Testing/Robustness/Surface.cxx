@@ -32,24 +32,6 @@ std::vector<Cell> cellsOf(vtkCellArray* array)
   return cells;
 }
 
-bool isUsedTwice(const Cell& face)
-{
-  Cell sorted = face;
-  std::sort(sorted.begin(), sorted.end());
-  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
-}
-
-/// Without corners that follow themselves.
-Cell withoutRepetitions(Cell face)
-{
-  face.erase(std::unique(face.begin(), face.end()), face.end());
-  while (face.size() > 1 && face.front() == face.back())
-  {
-    face.pop_back();
-  }
-  return face;
-}
-
 double angleAt(const Vec3& corner, const Vec3& next, const Vec3& last)
 {
   const Vec3 a = next - corner;
@@ -110,34 +92,6 @@ bool hasFiniteCorners(const Surface& surface)
       return std::all_of(face.begin(), face.end(),
         [&](std::int64_t id) { return surface.points[static_cast<std::size_t>(id)].allFinite(); });
     });
-}
-
-Surface welded(const Surface& surface)
-{
-  std::map<std::array<double, 3>, std::int64_t> places;
-  Surface result;
-  for (std::size_t f = 0; f < surface.faces.size(); ++f)
-  {
-    Cell face;
-    for (const std::int64_t id : surface.faces[f])
-    {
-      const Vec3& p = surface.points[static_cast<std::size_t>(id)];
-      const auto next = static_cast<std::int64_t>(places.size());
-      face.push_back(places.try_emplace({ p.x(), p.y(), p.z() }, next).first->second);
-    }
-    face = withoutRepetitions(face);
-    if (face.size() >= 3 && !isUsedTwice(face))
-    {
-      result.faces.push_back(face);
-      result.cellOfFace.push_back(surface.cellOfFace[f]);
-    }
-  }
-  result.points.resize(places.size());
-  for (const auto& [place, id] : places)
-  {
-    result.points[static_cast<std::size_t>(id)] = { place[0], place[1], place[2] };
-  }
-  return result;
 }
 
 double smallestAngleOf(const Surface& surface)

@@ -37,7 +37,8 @@ bool hasUsableFaces(const Surface& surface);
 /// Have all points that faces use numbers as coordinates?
 bool hasFiniteCorners(const Surface& surface);
 
-/// Points with equal coordinates are one; faces that then use one twice are left out.
+/// Points with equal coordinates are one, but for those of parts that are closed as they are; faces
+/// that then use one twice are left out.
 Surface welded(const Surface& surface);
 
 struct Topology

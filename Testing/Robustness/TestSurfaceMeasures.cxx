@@ -79,6 +79,17 @@ TEST(JudgesTopology, JoinsEqualPoints)
   EXPECT_TRUE(topologyOf(welded(surfaceOf(model))).isClosed());
 }
 
+TEST(JudgesTopology, KeepsClosedPartsApart)
+{
+  Model model = icosphere(1, 1.0, Vec3::Zero());
+  append(icosphere(1, 1.0, Vec3::Zero()), model);
+  EXPECT_EQ(topologyOf(welded(surfaceOf(model))).components, 2);
+  // Without a face neither its points nor those of the other one are known to be apart.
+  model.polygons.pop_back();
+  model.polygons.erase(model.polygons.begin());
+  EXPECT_EQ(topologyOf(welded(surfaceOf(model))).components, 1);
+}
+
 TEST(JudgesIntersections, AreCountedPairByPair)
 {
   const std::vector<Vec3> points{ { -1, -1, 0 }, { 1, -1, 0 }, { 0, 1, 0 }, { 0, 0, -1 },

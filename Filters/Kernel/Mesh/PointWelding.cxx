@@ -15,25 +15,6 @@ namespace evolving
 namespace
 {
 
-/// The vertices that faces use, in ascending order.
-std::vector<Index> usedVertices(const SurfaceMesh& mesh)
-{
-  std::vector<char> used(mesh.points.size(), 0);
-  for (const Index v : mesh.cornerVertices)
-  {
-    used[at(v)] = 1;
-  }
-  std::vector<Index> vertices;
-  for (Index v = 0; v < mesh.vertexCount(); ++v)
-  {
-    if (used[at(v)])
-    {
-      vertices.push_back(v);
-    }
-  }
-  return vertices;
-}
-
 /// The face's vertices after welding, without consecutive repetitions.
 std::vector<Index> weldedFace(const SurfaceMesh& mesh, Index face, const std::vector<Index>& first)
 {
@@ -131,11 +112,35 @@ std::vector<Index> vertexOfEachPoint(
   return vertex;
 }
 
+std::vector<Index> usedVertices(const SurfaceMesh& mesh)
+{
+  std::vector<char> used(mesh.points.size(), 0);
+  for (const Index v : mesh.cornerVertices)
+  {
+    used[at(v)] = 1;
+  }
+  std::vector<Index> vertices;
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (used[at(v)])
+    {
+      vertices.push_back(v);
+    }
+  }
+  return vertices;
+}
+
 SurfaceMesh weldCoincidentPoints(
   const SurfaceMesh& mesh, std::vector<Index>* oldVertex, std::vector<Index>* oldFace)
 {
   // Unused points stay out of it: they may be NaN.
-  const std::vector<Index> first = firstOfEqualPoints(mesh.points, usedVertices(mesh));
+  return joinVertices(
+    mesh, firstOfEqualPoints(mesh.points, usedVertices(mesh)), oldVertex, oldFace);
+}
+
+SurfaceMesh joinVertices(const SurfaceMesh& mesh, const std::vector<Index>& first,
+  std::vector<Index>* oldVertex, std::vector<Index>* oldFace)
+{
   SurfaceMesh welded;
   welded.cornerVertices.reserve(mesh.cornerVertices.size());
   welded.faceOffsets.reserve(mesh.faceOffsets.size());

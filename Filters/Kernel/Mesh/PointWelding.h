@@ -10,6 +10,7 @@
 #ifndef EVOLVING_POINT_WELDING_H
 #define EVOLVING_POINT_WELDING_H
 
+#include "Mesh/SurfaceMesh.h"
 #include "Types.h"
 
 #include <vector>
@@ -30,6 +31,16 @@ std::vector<Index> firstOfEqualPoints(const std::vector<Vec3>& points, std::vect
  */
 std::vector<Index> vertexOfEachPoint(
   const std::vector<Vec3>& points, const std::vector<Vec3>& vertices);
+
+/// The vertices that faces use, in ascending order.
+std::vector<Index> usedVertices(const SurfaceMesh& mesh);
+
+/**
+ * As weldCoincidentPoints() does, for points that are to be one.
+ * @param first of every vertex that a face uses, the smallest one that it is to be one with
+ */
+SurfaceMesh joinVertices(const SurfaceMesh& mesh, const std::vector<Index>& first,
+  std::vector<Index>* oldVertex = nullptr, std::vector<Index>* oldFace = nullptr);
 
 } // namespace evolving
 
