@@ -9,21 +9,23 @@
  * maps of 3D Slicer and ITK-SNAP, without the stairs of the voxels.
  *
  * The faces between voxels of different labels are one net that all labels share; its points move
- * until interfaces, and the curves where they meet, are bent as little as can be. So where two
- * labels touch both have the very same points and triangles, seen from opposite sides. Every point
- * stays within half a voxel, along each axis, of the corner of voxels that it comes from; parts of
- * one voxel keep half of their thickness at least; and every label keeps the volume of its voxels,
- * to rounding in nearly all images (`Volume` beside `VoxelVolume` says how near).
+ * until interfaces are bent as little as can be, and the curves where three labels meet lie where
+ * the interfaces lead to. So where two labels touch both have the very same points and triangles,
+ * seen from opposite sides. Every point stays within half a voxel, along each axis, of the voxels'
+ * faces, and within 0.85 of a voxel of those of each label that it belongs to; parts of one voxel
+ * keep half of their thickness at least; and every label keeps the volume of its voxels, to
+ * rounding in nearly all images (`Volume` beside `VoxelVolume` says how near).
  *
  * The first output has the surfaces of all labels, one after another. Each is a closed, oriented
  * manifold that points outwards, without common points with others: a threshold of the cell array
- * `Label` gives one of them whole. Filters that join coincident points, as vtkSurfaceEvolution
- * does, would join labels that touch, and a label that touches itself. The cell array
- * `NeighborLabel` is the label at the other side of each triangle, the background also where the
- * image ends. Voxels of a label hang together by faces; where they meet by an edge or a corner
- * alone, the surface passes twice, with points that coincide. A label that runs out of the image
- * ends in the plane of the outermost voxels' faces, with a sharp edge. The field arrays
- * `LabelValue`, `Volume` and `VoxelVolume` have a value for each label.
+ * `Label` gives one of them whole. vtkSurfaceEvolution takes all of them at once, though they
+ * touch, and each keeps its own volume there; filters that join all coincident points, such as
+ * vtkCleanPolyData, would join labels that touch. The cell array `NeighborLabel` is the label at
+ * the other side of each triangle, the background also where the image ends. Voxels of a label hang
+ * together by faces; where they meet by an edge or a corner alone, the surface passes twice, with
+ * points that coincide. A single voxel that differs from all around it stays, as a pit or a bump. A
+ * label that runs out of the image ends in the plane of the outermost voxels' faces, with a sharp
+ * edge. The field arrays `LabelValue`, `Volume` and `VoxelVolume` have a value for each label.
  *
  * The second output has every interface once, with the two labels of each triangle as the cell
  * array `BoundaryLabels`, as vtkSurfaceNets3D has them: the triangle is seen from the second.
@@ -33,7 +35,7 @@
  * result. The array is chosen by SetInputArrayToProcess(0, 0, 0, association, name).
  *
  * Such nets are those of Gibson, *Constrained elastic surface nets*, MICCAI 1998, here with a
- * bending energy and held volumes.
+ * bending energy, held volumes and, along curves, other elements than the voxels have.
  *
  * @sa vtkSurfaceEvolution vtkShrinkWrap
  */

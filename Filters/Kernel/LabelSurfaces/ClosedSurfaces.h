@@ -35,7 +35,7 @@ struct ClosedSurfaces
  * surface passes there more than once, with a vertex of its own each time; all of them at the same
  * place. An edge whose ends are the same vertices for both passes is split first, so that its
  * middle tells them apart. So every surface is a closed manifold, oriented outwards.
- * @param[in,out] triangles as splitNet() makes them; edges may get split
+ * @param[in,out] triangles edges may get split
  * @param[in,out] points of the vertices; gets the middles of those edges
  * @throws Cancelled
  */

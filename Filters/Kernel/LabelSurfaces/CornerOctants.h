@@ -59,6 +59,34 @@ inline std::ptrdiff_t numberOfMaterials(Octants octants)
   return std::unique(octants.begin(), octants.end()) - octants.begin();
 }
 
+/// Are there voxels of one material that hang together by no faces among these eight?
+inline bool meetsItself(const Octants& octants)
+{
+  std::array<unsigned, 8> parts = { 0, 1, 2, 3, 4, 5, 6, 7 };
+  for (int round = 0; round < 3; ++round)
+  {
+    for (unsigned b = 0; b < 8; ++b)
+    {
+      for (const unsigned axis : { 1U, 2U, 4U })
+      {
+        const bool isSame = octants[b] == octants[b ^ axis];
+        parts[b] = isSame ? std::min(parts[b], parts[b ^ axis]) : parts[b];
+      }
+    }
+  }
+  for (unsigned b = 0; b < 8; ++b)
+  {
+    for (unsigned c = 0; c < b; ++c)
+    {
+      if (isLabel(octants[b]) && octants[b] == octants[c] && parts[b] != parts[c])
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 /// Bit a: coordinate a is that of an end of the image.
 inline std::uint8_t fixedCoordinates(const Octants& octants)
 {

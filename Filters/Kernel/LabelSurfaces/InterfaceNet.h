@@ -13,6 +13,7 @@
 #include "LabelSurfaces/MaterialGrid.h"
 #include "Types.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -40,9 +41,9 @@ struct NetQuad
  * One vertex at each corner of voxels that a face of the net has; all in units of voxels, with
  * voxel (0, 0, 0) about the origin. Vertices ascend along x, then y, then z.
  *
- * Every vertex has a box of half a voxel around its corner to move in. Boxes of different vertices
- * do not overlap, and a quad lies in those of its vertices and their common neighbours; so quads
- * that have no vertex in common cannot meet, whatever moves.
+ * Boxes of half a voxel around the corners of different vertices do not overlap, and a quad whose
+ * vertices stay in theirs lies in these and those of their common neighbours; so such quads cannot
+ * meet where they have no vertex in common.
  */
 struct InterfaceNet
 {
@@ -74,6 +75,29 @@ struct InterfaceNet
 
 /// @throws InputError when there are more faces than an Index counts @throws Cancelled
 InterfaceNet interfaceNet(const MaterialGrid& grid, const Execution& execution);
+
+inline bool isSheet(const InterfaceNet& net, Index vertex)
+{
+  return net.kinds[at(vertex)] == VertexKind::Sheet;
+}
+
+/// Does a vertex lie where sheets meet, within the image?
+inline bool isInnerJunction(const InterfaceNet& net, Index vertex)
+{
+  return !isSheet(net, vertex) && net.fixed[at(vertex)] == 0;
+}
+
+/// Does it lie where they meet in a side of the image?
+inline bool isOutline(const InterfaceNet& net, Index vertex)
+{
+  return !isSheet(net, vertex) && net.fixed[at(vertex)] != 0;
+}
+
+/// The materials at both sides of a quad, the smaller one first: sheets are told apart by them.
+inline std::array<Material, 2> sortedSides(const NetQuad& quad)
+{
+  return { std::min(quad.sides[0], quad.sides[1]), std::max(quad.sides[0], quad.sides[1]) };
+}
 
 /// The area vector of a quad: half the product of its diagonals.
 inline Vec3 quadArea(const InterfaceNet& net, const std::vector<Vec3>& points, Index quad)

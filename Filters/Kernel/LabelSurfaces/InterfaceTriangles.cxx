@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace evolving
 {
@@ -102,6 +103,24 @@ InterfaceTriangles splitNet(
       triangles.quads[at(2 * quad + 1)] = quad;
     });
   return triangles;
+}
+
+CornersOfVertices cornersOfVertices(const InterfaceTriangles& triangles, Index vertexCount)
+{
+  CornersOfVertices all;
+  all.offsets.assign(at(vertexCount) + 1, 0);
+  all.corners.resize(triangles.corners.size());
+  for (const Index vertex : triangles.corners)
+  {
+    ++all.offsets[at(vertex) + 1];
+  }
+  std::partial_sum(all.offsets.begin(), all.offsets.end(), all.offsets.begin());
+  std::vector<Index> next(all.offsets.begin(), all.offsets.end() - 1);
+  for (std::size_t corner = 0; corner < triangles.corners.size(); ++corner)
+  {
+    all.corners[at(next[at(triangles.corners[corner])]++)] = static_cast<Index>(corner);
+  }
+  return all;
 }
 
 void splitEdges(const std::vector<NetEdge>& edges, Index first, InterfaceTriangles& triangles)

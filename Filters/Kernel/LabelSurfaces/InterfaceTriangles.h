@@ -19,11 +19,12 @@
 namespace evolving
 {
 
-/// Triangles between vertices of a net, each a part of one of its quads and oriented as that.
+/// Triangles between vertices of a net, each a part of one of its quads, or come from one, and
+/// oriented as that.
 struct InterfaceTriangles
 {
   std::vector<Index> corners; ///< three vertices for each
-  std::vector<Index> quads;   ///< the quad of each
+  std::vector<Index> quads;   ///< the quad of each, whose sides are its own
 
   Index count() const { return static_cast<Index>(this->quads.size()); }
 };
@@ -35,6 +36,16 @@ struct InterfaceTriangles
  */
 InterfaceTriangles splitNet(
   const InterfaceNet& net, const std::vector<Vec3>& points, const Execution& execution);
+
+/// The corners of triangles at every vertex, ascending: those of vertex i are
+/// corners[offsets[i]] ... corners[offsets[i + 1] - 1].
+struct CornersOfVertices
+{
+  std::vector<Index> offsets;
+  std::vector<Index> corners;
+};
+
+CornersOfVertices cornersOfVertices(const InterfaceTriangles& triangles, Index vertexCount);
 
 /// An edge by its ends, the smaller one first.
 using NetEdge = std::array<Index, 2>;

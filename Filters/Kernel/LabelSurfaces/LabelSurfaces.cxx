@@ -5,15 +5,13 @@
 
 #include "Errors.h"
 #include "LabelSurfaces/ClosedSurfaces.h"
+#include "LabelSurfaces/InterfaceFinish.h"
 #include "LabelSurfaces/InterfaceNet.h"
 #include "LabelSurfaces/InterfaceTriangles.h"
 #include "LabelSurfaces/LabelVolumes.h"
-#include "LabelSurfaces/LocalVolumes.h"
-#include "LabelSurfaces/NetFairing.h"
 #include "LabelSurfaces/NetLimits.h"
+#include "LabelSurfaces/NetSmoothing.h"
 #include "Mesh/FloatPoints.h"
-#include "Mesh/SelfIntersections.h"
-#include "Mesh/TriangleView.h"
 #include "ParallelLoops.h"
 
 #include <algorithm>
@@ -26,17 +24,6 @@ namespace evolving
 namespace
 {
 
-/// One step would round a torus of radius 7 voxels, many keep long waves and end short ones; with
-/// eight, normals of balls, ellipsoids and tori are within a tenth of what 16 reach.
-constexpr int Steps = 8;
-/// The filter counts neighbours, whose mean is a quarter of the Laplacian: of two, a sixteenth.
-constexpr double LaplacianOfNeighbours = 16.0;
-/// Stairs go to and fro over this many smoothing lengths: of 1 to 4, what leaves normals best and
-/// threads of one voxel as thick as they are.
-constexpr double ExchangeLengths = 2.5;
-/// Rounds of taking intersecting triangles back by half their way, before they go all the way.
-constexpr int HalvingRounds = 6;
-
 SurfaceMesh meshOf(std::vector<Vec3> points, const std::vector<Index>& corners)
 {
   SurfaceMesh mesh;
@@ -48,6 +35,30 @@ SurfaceMesh meshOf(std::vector<Vec3> points, const std::vector<Index>& corners)
     mesh.faceOffsets[face] = static_cast<Index>(3 * face);
   }
   return mesh;
+}
+
+/// Of vertices that others have taken the place of.
+void dropUnusedPoints(SurfaceMesh& mesh)
+{
+  std::vector<Index> numbers(mesh.points.size(), NoIndex);
+  for (const Index vertex : mesh.cornerVertices)
+  {
+    numbers[at(vertex)] = 0;
+  }
+  Index count = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    if (numbers[i] != NoIndex)
+    {
+      mesh.points[at(count)] = mesh.points[i];
+      numbers[i] = count++;
+    }
+  }
+  mesh.points.resize(at(count));
+  for (Index& vertex : mesh.cornerVertices)
+  {
+    vertex = numbers[at(vertex)];
+  }
 }
 
 std::vector<double> voxelCounts(const LabelImage& image)
@@ -80,21 +91,20 @@ public:
   LabelSurfaces make()
   {
     LabelSurfaces result;
+    smoothNet(this->Limits, this->Length, this->Net, this->Run.phase(0.1, 0.7));
     std::vector<Vec3>& points = this->Net.points;
-    if (this->Length > 0.0)
-    {
-      this->smooth(points);
-    }
-    std::vector<Vec3> places = this->inSpace(points);
+    std::vector<Vec3> places = inSpace(points, this->Image.toSpace, this->Run);
     InterfaceTriangles triangles = splitNet(this->Net, places, this->Run);
     result.pointsAreFloats = floatsHold(meshOf(places, triangles.corners));
     this->AreFloats = result.pointsAreFloats;
     if (this->Length > 0.0)
     {
-      this->finish(triangles, points);
+      InterfaceFinish finish(this->Grid, this->Net, this->Limits, this->Image.toSpace,
+        voxelCounts(this->Image), this->AreFloats);
+      triangles = finish.run(points, this->Run.phase(0.7, 0.9));
     }
     this->measure(triangles, points, result);
-    places = this->inSpace(points);
+    places = inSpace(points, this->Image.toSpace, this->Run);
     if (this->Image.toSpace.linear().determinant() < 0.0)
     {
       this->turnAround(triangles);
@@ -105,99 +115,27 @@ public:
   }
 
 private:
-  void smooth(std::vector<Vec3>& points) const
-  {
-    const double strength = LaplacianOfNeighbours * std::pow(this->Length, 4) / Steps;
-    const NetFairing fairing(this->Net, strength, this->Run);
-    const LocalVolumes volumes(this->Net, ExchangeLengths * this->Length, this->Run);
-    for (int step = 0; step < Steps; ++step)
-    {
-      const Execution phase =
-        this->Run.phase(0.1 + 0.6 * step / Steps, 0.1 + 0.6 * (step + 1) / Steps);
-      phase.report(0.0);
-      const std::vector<Vec3> before = points;
-      fairing.apply(points, phase.phase(0.0, 0.0));
-      phase.report(0.6);
-      volumes.giveBack(before, points, phase.phase(0.6, 0.6));
-      const std::vector<Vec3> areas = sheetAreas(this->Net, points, this->Run);
-      this->Limits.apply(this->Net, directionsOf(areas, this->Run), points, this->Run);
-    }
-  }
-
   std::vector<Vec3> rounded(std::vector<Vec3> places) const
   {
     return this->AreFloats ? roundedToFloats(std::move(places)) : std::move(places);
   }
 
-  std::vector<Vec3> inSpace(const std::vector<Vec3>& points) const
-  {
-    std::vector<Vec3> places(points.size());
-    forEachIndex(this->Run, this->Net.vertexCount(),
-      [&](Index i) { places[at(i)] = this->Image.toSpace * points[at(i)]; });
-    return places;
-  }
-
-  /// Volumes as wanted, and no intersections: the latter decides where both cannot be.
-  void finish(const InterfaceTriangles& triangles, std::vector<Vec3>& points) const
-  {
-    const LabelVolumes volumes(this->Net, triangles, this->Limits, voxelCounts(this->Image));
-    std::vector<char> rests(points.size(), 0);
-    const Execution phase = this->Run.phase(0.7, 0.9);
-    for (int round = 0;; ++round)
-    {
-      if (round <= HalvingRounds)
-      {
-        volumes.restore(rests, points, phase.phase(0.0, 0.5));
-      }
-      const std::vector<Vec3> places = this->rounded(this->inSpace(points));
-      const auto pairs =
-        selfIntersections(TriangleView(places, triangles.corners), phase.phase(0.5, 1.0));
-      if (pairs.empty())
-      {
-        break;
-      }
-      const double left = round < HalvingRounds ? 0.5 : 0.0;
-      this->takeBack(pairs, triangles, left, rests, points);
-    }
-  }
-
-  /// Vertices of triangles that intersect go a part of their way back and rest there.
-  void takeBack(const std::vector<std::pair<Index, Index>>& pairs,
-    const InterfaceTriangles& triangles, double left, std::vector<char>& rests,
-    std::vector<Vec3>& points) const
-  {
-    std::vector<char> goesBack(points.size(), 0);
-    for (const auto& pair : pairs)
-    {
-      for (const Index triangle : { pair.first, pair.second })
-      {
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-          goesBack[at(triangles.corners[at(3 * triangle) + k])] = 1;
-        }
-      }
-    }
-    for (Index i = 0; i < this->Net.vertexCount(); ++i)
-    {
-      if (goesBack[at(i)] != 0)
-      {
-        const Vec3 corner = this->Net.cornerPoint(i);
-        points[at(i)] = corner + left * (points[at(i)] - corner);
-        rests[at(i)] = 1;
-      }
-    }
-  }
-
+  /// Errors as computed, and volumes of the points as they are written.
   void measure(const InterfaceTriangles& triangles, const std::vector<Vec3>& points,
     LabelSurfaces& result) const
   {
     const std::vector<double> wanted = voxelCounts(this->Image);
-    result.volumes = labelVolumes(this->Net, triangles, points, wanted.size(), this->Run);
+    const auto volumesAt = [&](const std::vector<Vec3>& at)
+    { return labelVolumes(this->Net, triangles, at, wanted.size(), this->Run); };
+    const std::vector<double> computed = volumesAt(points);
+    const Eigen::Affine3d& toSpace = this->Image.toSpace;
+    result.volumes = volumesAt(
+      inSpace(this->rounded(inSpace(points, toSpace, this->Run)), toSpace.inverse(), this->Run));
     result.voxelVolumes = wanted;
-    const double ofVoxel = std::abs(this->Image.toSpace.linear().determinant());
+    const double ofVoxel = std::abs(toSpace.linear().determinant());
     for (std::size_t l = 0; l < wanted.size(); ++l)
     {
-      const double error = std::abs(result.volumes[l] - wanted[l]);
+      const double error = std::abs(computed[l] - wanted[l]);
       result.largestVolumeError =
         std::max(result.largestVolumeError, wanted[l] > 0.0 ? error / wanted[l] : 0.0);
       result.volumes[l] *= ofVoxel;
@@ -222,6 +160,7 @@ private:
     result.labels = std::move(closed.labels);
     result.others = std::move(closed.others);
     result.interfaces = meshOf(std::move(places), triangles.corners);
+    dropUnusedPoints(result.interfaces);
     result.sides.resize(triangles.quads.size());
     forEachIndex(this->Run, triangles.count(),
       [&](Index i) { result.sides[at(i)] = this->Net.quads[at(triangles.quads[at(i)])].sides; });

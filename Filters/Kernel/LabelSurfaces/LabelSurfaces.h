@@ -48,20 +48,22 @@ struct LabelSurfaces
   /// Every interface once; where labels touch both have its very points.
   SurfaceMesh interfaces;
   std::vector<std::array<Material, 2>> sides; ///< of every face; it is seen from the second
-  std::vector<double> volumes;                ///< of every label, label 1 first; in units of space
-  std::vector<double> voxelVolumes;           ///< those of its voxels
-  double largestVolumeError = 0.0;            ///< relative
+  /// Of every label, label 1 first, with the points as they are; in units of space.
+  std::vector<double> volumes;
+  std::vector<double> voxelVolumes; ///< those of its voxels
+  double largestVolumeError = 0.0;  ///< relative, but for the rounding of points
   bool pointsAreFloats = true; ///< all are rounded to floats; not where those could not hold them
 };
 
 /**
  * The faces between voxels are made one net of quads that all labels share, so that labels cannot
- * overlap nor leave gaps. Its vertices move by at most half a voxel along each axis: the net is
- * bent as little as can be (NetFairing), what that takes away from places is given back to them
- * (LocalVolumes), some times over, and at the end each label gets the volume of its voxels
- * (LabelVolumes). Where triangles intersect, their vertices go back towards their voxels' corners.
- * All in units of voxels, so that voxels of any shape are treated alike. Where a label runs out of
- * the image its surface is flat and closed, in the plane of the outermost voxels' faces.
+ * overlap nor leave gaps. It is smoothed (smoothNet), then its triangles get good elements where
+ * sheets meet, each label the volume of its voxels, and what intersects goes back
+ * (InterfaceFinish). All in units of voxels, so that voxels of any shape are treated alike. Where a
+ * label runs out of the image its surface is flat and closed, in the plane of the outermost voxels'
+ * faces.
+ *
+ * Every vertex is within half a voxel along each axis of the voxels' faces (NetLimits).
  *
  * Such nets are those of Gibson, *Constrained elastic surface nets* (1998), with a bending energy
  * in place of the elastic one, and volumes.

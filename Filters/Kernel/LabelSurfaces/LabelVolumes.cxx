@@ -21,8 +21,9 @@ namespace
 constexpr int MostRounds = 20;
 /// Of a volume: far below what a box holds back, far above rounding.
 constexpr double SmallEnough = 1e-10;
-/// A round that takes less than this of the error away is the last one.
+/// Rounds that take less than this of the error away are the last ones.
 constexpr double LeastProgress = 0.1;
+constexpr int MostIdleRounds = 4;
 /// Of a multiplier's own term: labels that lie within others entirely leave one that is free.
 constexpr double Regularization = 1e-9;
 
@@ -76,25 +77,19 @@ struct VertexGradients
 };
 
 VertexGradients gradientsAt(const InterfaceNet& net, const InterfaceTriangles& triangles,
-  const std::vector<Vec3>& points, Index vertex)
+  const CornersOfVertices& corners, const std::vector<Vec3>& points, Index vertex)
 {
   VertexGradients gradients;
-  for (Index k = net.quadOffsets[at(vertex)]; k < net.quadOffsets[at(vertex) + 1]; ++k)
+  for (Index k = corners.offsets[at(vertex)]; k < corners.offsets[at(vertex) + 1]; ++k)
   {
-    const Index quad = net.quadsOfVertices[at(k)];
-    for (const Index triangle : { 2 * quad, 2 * quad + 1 })
-    {
-      const Index* v = &triangles.corners[at(3 * triangle)];
-      if (std::find(v, v + 3, vertex) == v + 3)
-      {
-        continue;
-      }
-      const Vec3 a = points[at(v[0])];
-      const Vec3 third = (points[at(v[1])] - a).cross(points[at(v[2])] - a) / 6.0;
-      gradients.area += third.norm();
-      gradients.add(net.quads[at(quad)].sides[0], third);
-      gradients.add(net.quads[at(quad)].sides[1], -third);
-    }
+    const Index triangle = corners.corners[at(k)] / 3;
+    const Index* v = &triangles.corners[at(3 * triangle)];
+    const Vec3 a = points[at(v[0])];
+    const Vec3 third = (points[at(v[1])] - a).cross(points[at(v[2])] - a) / 6.0;
+    const NetQuad& quad = net.quads[at(triangles.quads[at(triangle)])];
+    gradients.area += third.norm();
+    gradients.add(quad.sides[0], third);
+    gradients.add(quad.sides[1], -third);
   }
   for (auto& [label, gradient] : gradients.ofLabels)
   {
@@ -157,6 +152,7 @@ LabelVolumes::LabelVolumes(const InterfaceNet& net, const InterfaceTriangles& tr
   const NetLimits& limits, std::vector<double> volumes)
   : Net(net)
   , Triangles(triangles)
+  , Corners(cornersOfVertices(triangles, net.vertexCount()))
   , Limits(limits)
   , Volumes(std::move(volumes))
 {
@@ -173,7 +169,8 @@ std::vector<double> LabelVolumes::multipliers(const std::vector<double>& missing
       {
         return;
       }
-      const VertexGradients gradients = gradientsAt(this->Net, this->Triangles, points, i);
+      const VertexGradients gradients =
+        gradientsAt(this->Net, this->Triangles, this->Corners, points, i);
       for (const auto& [l, first] : gradients.ofLabels)
       {
         for (const auto& [m, second] : gradients.ofLabels)
@@ -203,7 +200,8 @@ double LabelVolumes::largestError(const std::vector<double>& missing) const
 double LabelVolumes::restore(
   const std::vector<char>& rests, std::vector<Vec3>& points, const Execution& execution) const
 {
-  double before = std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity();
+  int idleRounds = 0;
   for (int round = 0;; ++round)
   {
     execution.report(static_cast<double>(round) / MostRounds);
@@ -214,28 +212,29 @@ double LabelVolumes::restore(
       missing[l] = this->Volumes[l] - missing[l];
     }
     const double error = this->largestError(missing);
-    if (error < SmallEnough || round == MostRounds || error > (1.0 - LeastProgress) * before)
+    idleRounds = error < (1.0 - LeastProgress) * least ? 0 : idleRounds + 1;
+    least = std::min(least, error);
+    if (error < SmallEnough || round == MostRounds || idleRounds == MostIdleRounds)
     {
       return error;
     }
-    before = error;
     const std::vector<double> lambda = this->multipliers(missing, rests, points, execution);
     std::vector<Vec3> moved = points;
     forEachIndex(execution, this->Net.vertexCount(),
       [&](Index i)
       {
-        const VertexGradients gradients = gradientsAt(this->Net, this->Triangles, points, i);
+        const VertexGradients gradients =
+          gradientsAt(this->Net, this->Triangles, this->Corners, points, i);
         if (rests[at(i)] != 0 || !(gradients.area > 0.0))
         {
           return;
         }
-        Vec3 move = points[at(i)] - this->Net.cornerPoint(i);
+        Vec3 wanted = points[at(i)];
         for (const auto& [label, gradient] : gradients.ofLabels)
         {
-          move += lambda[static_cast<std::size_t>(label) - 1] / gradients.area * gradient;
+          wanted += lambda[static_cast<std::size_t>(label) - 1] / gradients.area * gradient;
         }
-        const Box box = this->Limits.box(i);
-        moved[at(i)] = this->Net.cornerPoint(i) + move.cwiseMax(box.min()).cwiseMin(box.max());
+        moved[at(i)] = this->Limits.limited(this->Net, i, wanted);
       });
     points.swap(moved);
   }

@@ -27,8 +27,8 @@ std::vector<double> labelVolumes(const InterfaceNet& net, const InterfaceTriangl
 /**
  * A Lagrange multiplier for each label: its surface moves along the gradient of its volume until
  * that is as wanted. Labels that touch are coupled by the interfaces they share, so all multipliers
- * are solved for at once, by Newton's method. Points stay in their boxes; where those leave a label
- * no way, its volume remains as near as it comes.
+ * are solved for at once, by Newton's method. Points stay where they may be; where that leaves a
+ * label no way, its volume remains as near as it comes.
  */
 class LabelVolumes
 {
@@ -53,6 +53,7 @@ private:
 
   const InterfaceNet& Net;
   const InterfaceTriangles& Triangles;
+  CornersOfVertices Corners;
   const NetLimits& Limits;
   std::vector<double> Volumes;
 };

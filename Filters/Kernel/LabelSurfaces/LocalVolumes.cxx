@@ -6,8 +6,6 @@
 #include "Algebra/ConjugateGradients.h"
 #include "ParallelLoops.h"
 
-#include <Eigen/Dense>
-
 namespace evolving
 {
 
@@ -17,24 +15,8 @@ namespace
 /// What two rounds leave out is what is no longer than the length itself.
 constexpr int Rounds = 2;
 constexpr double Tolerance = 1e-3;
-/// Of the least squares where sheets meet, beside a unit for each neighbour: directions that no
-/// neighbour speaks for stay.
-constexpr double Damping = 0.3;
 /// Of an area in voxels' faces: below it sheets lie back to back and have no volume to give.
 constexpr double SmallestArea = 1e-9;
-
-bool isSheet(const InterfaceNet& net, Index vertex)
-{
-  return net.kinds[at(vertex)] == VertexKind::Sheet;
-}
-
-/// Does a vertex lie on a curve in a side of the image? The voxels' corners there lie to both sides
-/// of the outline of what is cut off. Within the image curves have none that do, where three labels
-/// meet in wedges, and follow the sheets.
-bool isOutline(const InterfaceNet& net, Index vertex)
-{
-  return !isSheet(net, vertex) && net.fixed[at(vertex)] != 0;
-}
 
 /// Along sheets and along outlines, each without the other.
 SparseMatrix smoothingMatrix(const InterfaceNet& net, double weight)
@@ -74,24 +56,6 @@ SparseMatrix smoothingMatrix(const InterfaceNet& net, double weight)
   }
   matrix.finalize();
   return matrix;
-}
-
-/// The move of a vertex where sheets meet: what takes it along with the vertices beside it.
-Vec3 moveAlongNeighbours(const InterfaceNet& net, Index vertex, const std::vector<Vec3>& normals,
-  const std::vector<Vec3>& moves)
-{
-  Eigen::Matrix3d matrix = Damping * Eigen::Matrix3d::Identity();
-  Vec3 sum = Vec3::Zero();
-  for (Index edge = net.edgeOffsets[at(vertex)]; edge < net.edgeOffsets[at(vertex) + 1]; ++edge)
-  {
-    const Index other = net.edgeEnds[at(edge)];
-    if (isSheet(net, other))
-    {
-      matrix += normals[at(other)] * normals[at(other)].transpose();
-      sum += moves[at(other)];
-    }
-  }
-  return matrix.ldlt().solve(sum);
 }
 
 void keepFixed(const InterfaceNet& net, Index vertex, Vec3& move)
@@ -148,7 +112,6 @@ void LocalVolumes::giveBack(
   SolverLimits limits;
   limits.tolerance = Tolerance;
   std::vector<Vec3> smoothed(points.size(), Vec3::Zero());
-  std::vector<Vec3> moves(points.size());
   for (int round = 0; round < Rounds; ++round)
   {
     const std::vector<Vec3> areas = sheetAreas(this->Net, points, execution);
@@ -166,20 +129,13 @@ void LocalVolumes::giveBack(
     forEachIndex(execution, this->Net.vertexCount(),
       [&](Index i)
       {
-        const Vec3& sums = smoothed[at(i)];
-        moves[at(i)] = sums;
-        if (isSheet(this->Net, i))
+        if (isInnerJunction(this->Net, i))
         {
-          const double height = sums[1] > SmallestArea ? sums[0] / sums[1] : 0.0;
-          moves[at(i)] = height * normals[at(i)];
+          return;
         }
-      });
-    forEachIndex(execution, this->Net.vertexCount(),
-      [&](Index i)
-      {
-        Vec3 move = isSheet(this->Net, i) || isOutline(this->Net, i)
-          ? moves[at(i)]
-          : moveAlongNeighbours(this->Net, i, normals, moves);
+        const Vec3& sums = smoothed[at(i)];
+        const double height = sums[1] > SmallestArea ? sums[0] / sums[1] : 0.0;
+        Vec3 move = isSheet(this->Net, i) ? Vec3(height * normals[at(i)]) : sums;
         keepFixed(this->Net, i, move);
         points[at(i)] += move;
       });

@@ -33,7 +33,7 @@ std::vector<Vec3> directionsOf(std::vector<Vec3> areas, const Execution& executi
  * what is left of the volume moved at each vertex, smoothed along the sheet, is what the shape has
  * lost there. It is given back along the normals, as smoothly as it was found. Of outlines in the
  * sides of the image it is the move itself, smoothed along them; other curves where sheets meet
- * follow the sheets.
+ * stay (JunctionFit).
  */
 class LocalVolumes
 {

@@ -63,6 +63,9 @@ public:
   }
   Octants around(const std::array<Index, 3>& corner) const;
 
+  /// How many voxels of a material there are, at most so many to each side of a corner.
+  Index count(const std::array<Index, 3>& corner, Material material, Index reach) const;
+
   /// A voxel's number, and the step to the next one along an axis.
   GridIndex voxel(Index i, Index j, Index k) const
   {
@@ -78,7 +81,26 @@ public:
       this->Materials[at(voxel + step)] != own;
   }
 
+  /// Are those two others different materials? Then it may be the end of a wedge.
+  bool isWedge(GridIndex voxel, int axis) const
+  {
+    const GridIndex step = this->stride(axis);
+    return this->Materials[at(voxel - step)] != this->Materials[at(voxel + step)];
+  }
+  /// Is a point at most `reach`, below half a voxel, along each axis from a face of two materials?
+  bool isNearInterface(const Vec3& point, double reach) const;
+  /// Is it at most `reach` from a face of one?
+  bool isNearFace(const Vec3& point, Material material, double reach) const;
+
 private:
+  /// Of voxels, from the first to the last that a box touches, within the outer layer.
+  struct Block
+  {
+    std::array<Index, 3> first;
+    std::array<Index, 3> last;
+  };
+  Block blockAround(const Vec3& point, double reach) const;
+
   std::array<Index, 3> Sizes;
   std::array<GridIndex, 3> Strides{};
   std::vector<Material> Materials;

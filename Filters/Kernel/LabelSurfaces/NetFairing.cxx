@@ -13,8 +13,8 @@ namespace evolving
 namespace
 {
 
-/// Of the mean of the curves that end at a node: enough to take their stairs away where a curve is
-/// a ladder of short edges, and so little that it does not pull four labels' common points about.
+/// Of the mean of the outlines that end at a node: enough to take their stairs away where one is a
+/// ladder of short edges, and so little that it does not pull labels' common points about.
 constexpr double NodeWeight = 0.1;
 /// A thousandth of a step's move, itself below a voxel.
 constexpr double Tolerance = 1e-3;
@@ -81,7 +81,7 @@ SparseMatrix bendingMatrix(const InterfaceNet& net, double strength)
 
 bool isFree(const InterfaceNet& net, Index vertex, int axis)
 {
-  return (net.fixed[at(vertex)] >> axis & 1U) == 0;
+  return !isInnerJunction(net, vertex) && (net.fixed[at(vertex)] >> axis & 1U) == 0;
 }
 
 class Diagonal : public Preconditioner

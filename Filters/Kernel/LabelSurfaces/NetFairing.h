@@ -3,7 +3,7 @@
 
 /**
  * @file
- * Interfaces without steps: each as little bent as can be, and so are the curves where they meet.
+ * Interfaces without steps: each as little bent as can be.
  */
 
 #ifndef EVOLVING_NET_FAIRING_H
@@ -26,9 +26,10 @@ namespace evolving
  *
  *   sum |y_i - x_i|^2 + t sum w_i |u_i(y)|^2
  *
- * Neighbours are all, within a sheet, and those along the curve on a curve where sheets meet. So a
- * sheet ends there as a free plate does, and at any angle; neither pulls at the curve, as surface
- * tension would. A wave of length l is damped by 1 / (1 + t (pi / l)^4) at least.
+ * Neighbours are all, within a sheet, and those along the outline in a side of the image. Where
+ * sheets meet within it, vertices stay (JunctionFit puts them where they are to be), and sheets end
+ * there as plates do on a support, at any angle. A wave of length l is damped by
+ * 1 / (1 + t (pi / l)^4) at least.
  */
 class NetFairing : public SymmetricOperator
 {

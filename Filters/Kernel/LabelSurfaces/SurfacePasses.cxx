@@ -15,11 +15,9 @@ SurfacePasses::SurfacePasses(const InterfaceNet& net, const InterfaceTriangles& 
   Index vertexCount, const Execution& execution)
   : Net(net)
   , Triangles(triangles)
-  , CornerOffsets(at(vertexCount) + 1, 0)
-  , CornersOfVertices(triangles.corners.size())
+  , Corners(cornersOfVertices(triangles, vertexCount))
   , Passes(2 * triangles.corners.size(), NoIndex)
 {
-  this->listCorners(vertexCount);
   // Numbered at each vertex first, then by those before.
   std::vector<Index> offsets(at(vertexCount) + 1, 0);
   execution.phase(0.0, 0.8).forRangeReporting(vertexCount, Execution::MeshGrain,
@@ -41,27 +39,11 @@ SurfacePasses::SurfacePasses(const InterfaceNet& net, const InterfaceTriangles& 
     execution, vertexCount, [&](Index vertex) { this->renumberAt(vertex, offsets[at(vertex)]); });
 }
 
-void SurfacePasses::listCorners(Index vertexCount)
-{
-  const std::vector<Index>& corners = this->Triangles.corners;
-  for (const Index vertex : corners)
-  {
-    ++this->CornerOffsets[at(vertex) + 1];
-  }
-  std::partial_sum(
-    this->CornerOffsets.begin(), this->CornerOffsets.end(), this->CornerOffsets.begin());
-  std::vector<Index> next(this->CornerOffsets.begin(), this->CornerOffsets.begin() + vertexCount);
-  for (std::size_t corner = 0; corner < corners.size(); ++corner)
-  {
-    this->CornersOfVertices[at(next[at(corners[corner])]++)] = static_cast<Index>(corner);
-  }
-}
-
 void SurfacePasses::renumberAt(Index vertex, Index offset)
 {
-  for (Index k = this->CornerOffsets[at(vertex)]; k < this->CornerOffsets[at(vertex) + 1]; ++k)
+  for (Index k = this->Corners.offsets[at(vertex)]; k < this->Corners.offsets[at(vertex) + 1]; ++k)
   {
-    const Index corner = this->CornersOfVertices[at(k)];
+    const Index corner = this->Corners.corners[at(k)];
     for (const Index side : { 0, 1 })
     {
       Index& pass = this->Passes[at(2 * corner + side)];
@@ -83,9 +65,9 @@ const NetQuad& SurfacePasses::quadOf(Index corner) const
 std::vector<SurfacePasses::Wedge> SurfacePasses::wedgesAt(Index vertex) const
 {
   std::vector<Wedge> wedges;
-  for (Index k = this->CornerOffsets[at(vertex)]; k < this->CornerOffsets[at(vertex) + 1]; ++k)
+  for (Index k = this->Corners.offsets[at(vertex)]; k < this->Corners.offsets[at(vertex) + 1]; ++k)
   {
-    const Index corner = this->CornersOfVertices[at(k)];
+    const Index corner = this->Corners.corners[at(k)];
     const Index first = corner - corner % 3;
     const std::array<Index, 2> ends = { this->Triangles.corners[at(first + (corner + 1) % 3)],
       this->Triangles.corners[at(first + (corner + 2) % 3)] };
@@ -177,7 +159,7 @@ bool SurfacePasses::isAmbiguous(
 
 std::vector<NetEdge> SurfacePasses::ambiguousEdges(const Execution& execution) const
 {
-  const auto vertexCount = static_cast<Index>(this->CornerOffsets.size()) - 1;
+  const auto vertexCount = static_cast<Index>(this->Corners.offsets.size()) - 1;
   std::vector<std::vector<NetEdge>> found(
     static_cast<std::size_t>((vertexCount + LoopGrain - 1) / LoopGrain));
   forEachIndex(execution, vertexCount,

@@ -60,7 +60,6 @@ private:
   static bool areJoined(const std::vector<Wedge>& wedges, const Wedge& a, const Wedge& b);
   static void join(std::vector<Wedge>& wedges);
 
-  void listCorners(Index vertexCount);
   void renumberAt(Index vertex, Index offset);
   const NetQuad& quadOf(Index corner) const;
   Index passAtEnd(const Wedge& wedge, Index end) const;
@@ -68,8 +67,7 @@ private:
 
   const InterfaceNet& Net;
   const InterfaceTriangles& Triangles;
-  std::vector<Index> CornerOffsets;
-  std::vector<Index> CornersOfVertices;
+  CornersOfVertices Corners;
   std::vector<Index> Passes;
   std::vector<Index> Vertices;
   std::vector<Material> Labels;

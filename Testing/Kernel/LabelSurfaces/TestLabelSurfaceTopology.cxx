@@ -81,6 +81,24 @@ TEST(LabelSurfaceTopology, EveryLabelHasAClosedManifoldThatPointsOutwards)
   }
 }
 
+TEST(LabelSurfaceTopology, SmoothingKeepsItLabelByLabel)
+{
+  for (const auto& [name, image] : allKinds())
+  {
+    SCOPED_TRACE(name);
+    const LabelSurfaces smooth = labelSurfaces(image, {});
+    const LabelSurfaces faces = labelSurfaces(image, { 0.0 });
+    for (std::size_t l = 0; l < image.labelCount; ++l)
+    {
+      const auto label = static_cast<Material>(l + 1);
+      const TopologySummary found = summarizeTopology(surfaceOf(smooth, label));
+      const TopologySummary expected = summarizeTopology(surfaceOf(faces, label));
+      EXPECT_EQ(found.components, expected.components);
+      EXPECT_EQ(found.eulerCharacteristic(), expected.eulerCharacteristic());
+    }
+  }
+}
+
 TEST(LabelSurfaceTopology, LabelsThatTouchHaveTheSameTriangles)
 {
   for (const auto& [name, image] : allKinds())
