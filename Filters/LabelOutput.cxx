@@ -15,9 +15,21 @@
 
 #include <utility>
 
+namespace
+{
+
+//------------------------------------------------------------------------------
+/// The background may be a label that the image has not, nor could have.
+bool Holds(int type, double label)
+{
+  return label >= vtkDataArray::GetDataTypeMin(type) && label <= vtkDataArray::GetDataTypeMax(type);
+}
+
+} // namespace
+
 //------------------------------------------------------------------------------
 LabelOutput::LabelOutput(int type, double background, std::vector<double> values)
-  : Type(type)
+  : Type(Holds(type, background) ? type : VTK_DOUBLE)
   , Background(background)
   , Values(std::move(values))
 {

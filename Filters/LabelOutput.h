@@ -19,7 +19,7 @@
 class vtkDataArray;
 class vtkPolyData;
 
-/// Labels are written as what the image has, and background as its own label.
+/// Labels are written as what the image has, or as doubles where that cannot hold the background's.
 class LabelOutput
 {
 public:

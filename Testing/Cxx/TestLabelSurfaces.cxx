@@ -205,6 +205,55 @@ TEST(LabelSurfaces, OneOfThemGoesIntoAnEvolution)
 }
 
 //------------------------------------------------------------------------------
+/// Two boxes of one label that have an edge of voxels, or a corner, in common.
+Image TouchingBoxes(double shift)
+{
+  return LabelImage(vtkNew<vtkShortArray>(),
+    [=](double x, double y, double z)
+    {
+      const auto isIn = [](double a, double b, double c)
+      { return a > 0.0 && a < 5.0 && b > 0.0 && b < 5.0 && c > 0.0 && c < 6.2; };
+      return isIn(x, y, z) || isIn(x + 5.0, y + 5.0, z + shift) ? 1.0 : 0.0;
+    });
+}
+
+//------------------------------------------------------------------------------
+/// Expects that a flow that holds volumes can be made of all surfaces of a filter at once.
+void ExpectEvolutionOf(vtkLabelSurfaces* filter)
+{
+  filter->Update();
+  vtkNew<vtkSurfaceEvolution> evolution;
+  evolution->SetInputConnection(filter->GetOutputPort());
+  evolution->VolumePreservingOn();
+  evolution->SetNumberOfSteps(2);
+  EventLog log(evolution);
+  evolution->Update();
+  EXPECT_TRUE(log.Errors.empty()) << log.Errors.front();
+  vtkPolyData* input = filter->GetOutput();
+  EXPECT_EQ(CountBadEdges(evolution->GetOutput()), 0);
+  EXPECT_NEAR(VolumeOf(evolution->GetOutput()), VolumeOf(input), 1e-3 * VolumeOf(input));
+  EXPECT_LT(AreaOf(evolution->GetOutput()), AreaOf(input));
+}
+
+//------------------------------------------------------------------------------
+TEST(LabelSurfaces, AllGoIntoAnEvolutionThoughTheyTouch)
+{
+  ExpectEvolutionOf(FilterOf(Halves(), -1.0));
+  ExpectEvolutionOf(FilterOf(TouchingBoxes(0.0)));
+  ExpectEvolutionOf(FilterOf(TouchingBoxes(6.2)));
+}
+
+//------------------------------------------------------------------------------
+TEST(LabelSurfaces, ABackgroundThatTheImageCannotHaveIsWritten)
+{
+  const auto filter = FilterOf(Ball(), 1e6);
+  filter->Update();
+  vtkDataArray* neighbors = filter->GetOutput()->GetCellData()->GetArray("NeighborLabel");
+  EXPECT_EQ(neighbors->GetDataType(), VTK_DOUBLE);
+  EXPECT_EQ(neighbors->GetRange()[1], 1e6);
+}
+
+//------------------------------------------------------------------------------
 TEST(LabelSurfaces, SaysWhatIsWrong)
 {
   ExpectRefusalOf(
