@@ -13,6 +13,7 @@
 #include "vtkFloatArray.h"
 #include "vtkIcosphereSource.h"
 #include "vtkImageData.h"
+#include "vtkLabelSurfaces.h"
 #include "vtkMeshSDF.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -23,6 +24,9 @@
 #include "vtkTangentialRedistribution.h"
 
 #include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -131,6 +135,24 @@ TEST(Ranks, Icosphere)
   vtkNew<vtkIcosphereSource> source;
   ASSERT_TRUE(source->UpdatePiece(1, 2, 0));
   EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+//------------------------------------------------------------------------------
+TEST(Ranks, SurfacesOfLabelsAndTheirInterfaces)
+{
+  const auto labels = Sample::SphereImage(9, 2.0, 1.0);
+  vtkDataArray* scalars = labels->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+  {
+    scalars->SetTuple1(i, scalars->GetTuple1(i) < 0.0 ? 1 + i % 9 / 4 : 0);
+  }
+  vtkNew<vtkLabelSurfaces> filter;
+  filter->SetInputData(labels);
+  ExpectEmptySecondPiece(filter);
+  vtkPolyData* interfaces = filter->GetOutput(1);
+  EXPECT_EQ(interfaces->GetNumberOfPoints(), 0);
+  EXPECT_EQ(ArrayNames(interfaces->GetCellData()), std::vector<std::string>{ "BoundaryLabels" });
+  EXPECT_EQ(interfaces->GetCellData()->GetArray(0)->GetNumberOfComponents(), 2);
 }
 
 //------------------------------------------------------------------------------
