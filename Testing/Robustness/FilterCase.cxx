@@ -46,7 +46,8 @@ const std::vector<FilterKind>& filterKinds()
   static const std::vector<FilterKind> kinds{ { "MeshSDF", 8, makeMeshSDFCase },
     { "SurfaceEvolution", 8, makeEvolutionCase },
     { "TangentialRedistribution", 3, makeRedistributionCase }, { "ShrinkWrap", 6, makeWrapCase },
-    { "DistanceHierarchy", 2, makeHierarchyCase }, { "IcosphereSource", 1, makeSourceCase } };
+    { "LabelSurfaces", 3, makeLabelCase }, { "DistanceHierarchy", 2, makeHierarchyCase },
+    { "IcosphereSource", 1, makeSourceCase } };
   return kinds;
 }
 

@@ -73,6 +73,7 @@ std::unique_ptr<FilterCase> makeEvolutionCase(const Subject& subject, Random& ra
 std::unique_ptr<FilterCase> makeRedistributionCase(const Subject& subject, Random& random);
 std::unique_ptr<FilterCase> makeWrapCase(const Subject& subject, Random& random);
 std::unique_ptr<FilterCase> makeHierarchyCase(const Subject& subject, Random& random);
+std::unique_ptr<FilterCase> makeLabelCase(const Subject& subject, Random& random);
 std::unique_ptr<FilterCase> makeSourceCase(const Subject& subject, Random& random);
 ///@}
 

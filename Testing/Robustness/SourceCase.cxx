@@ -50,7 +50,7 @@ public:
     requireUsableFaces(surface);
     const Topology topology = topologyOf(surface);
     requireClosed(topology);
-    requireOutward(surface);
+    requireOutward(this->asUnit(surface));
     require(topology.genus() == 0 && topology.components == 1, Fault::NotManifold, "the genus is ",
       topology.genus());
     const int n = this->Filter->GetResolution();
@@ -65,6 +65,17 @@ public:
   }
 
 private:
+  /// Of the smallest radii the volume would not be a number above 0.
+  Surface asUnit(Surface surface)
+  {
+    const Vec3 centre(this->Filter->GetCenter());
+    for (Vec3& point : surface.points)
+    {
+      point = (point - centre) / this->Filter->GetRadius();
+    }
+    return surface;
+  }
+
   void judgeRadius(const Surface& surface)
   {
     const Vec3 centre(this->Filter->GetCenter());
