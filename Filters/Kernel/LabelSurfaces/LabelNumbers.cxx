@@ -171,7 +171,7 @@ NumberedLabels numberLabels(const std::array<Index, 3>& sizes,
   const Execution& execution)
 {
   requireVolume(sizes);
-  if (!std::isfinite(choice.background))
+  if (!std::isfinite(choice.background) || choice.background != std::floor(choice.background))
   {
     refuse("BackgroundLabel is ", choice.background, ", expected a whole number; labels are.");
   }

@@ -12,6 +12,7 @@
 #include "LabelSurfaces/NetLimits.h"
 #include "LabelSurfaces/NetSmoothing.h"
 #include "Mesh/FloatPoints.h"
+#include "Mesh/SelfIntersections.h"
 #include "ParallelLoops.h"
 
 #include <algorithm>
@@ -23,6 +24,9 @@ namespace evolving
 
 namespace
 {
+
+/// Of a label's volume: what floats may take away or add.
+constexpr double MostRounding = 1e-3;
 
 SurfaceMesh meshOf(std::vector<Vec3> points, const std::vector<Index>& corners)
 {
@@ -90,13 +94,29 @@ public:
 
   LabelSurfaces make()
   {
-    LabelSurfaces result;
     smoothNet(this->Limits, this->Length, this->Net, this->Run.phase(0.1, 0.7));
-    std::vector<Vec3>& points = this->Net.points;
-    std::vector<Vec3> places = inSpace(points, this->Image.toSpace, this->Run);
-    InterfaceTriangles triangles = splitNet(this->Net, places, this->Run);
-    result.pointsAreFloats = floatsHold(meshOf(places, triangles.corners));
-    this->AreFloats = result.pointsAreFloats;
+    const std::vector<Vec3>& points = this->Net.points;
+    const std::vector<Vec3> places = inSpace(points, this->Image.toSpace, this->Run);
+    const InterfaceTriangles triangles = splitNet(this->Net, places, this->Run);
+    this->AreFloats =
+      this->volumesHold(triangles, points) && floatsHold(meshOf(places, triangles.corners));
+    LabelSurfaces result = this->finished(triangles);
+    // The middle of an edge that is passed twice is not quite on it, as floats have it.
+    if (this->IsSplit && this->AreFloats &&
+      !selfIntersections(result.interfaces, this->Run).empty())
+    {
+      this->AreFloats = false;
+      result = this->finished(triangles);
+    }
+    return result;
+  }
+
+private:
+  LabelSurfaces finished(InterfaceTriangles triangles)
+  {
+    LabelSurfaces result;
+    result.pointsAreFloats = this->AreFloats;
+    std::vector<Vec3> points = this->Net.points;
     if (this->Length > 0.0)
     {
       InterfaceFinish finish(this->Grid, this->Net, this->Limits, this->Image.toSpace,
@@ -104,20 +124,51 @@ public:
       triangles = finish.run(points, this->Run.phase(0.7, 0.9));
     }
     this->measure(triangles, points, result);
-    places = inSpace(points, this->Image.toSpace, this->Run);
+    std::vector<Vec3> places = inSpace(points, this->Image.toSpace, this->Run);
     if (this->Image.toSpace.linear().determinant() < 0.0)
     {
       this->turnAround(triangles);
     }
     ClosedSurfaces closed = closedSurfaces(this->Net, triangles, places, this->Run.phase(0.9, 1.0));
+    this->IsSplit = places.size() > points.size();
     this->write(std::move(closed), triangles, this->rounded(std::move(places)), result);
     return result;
   }
 
-private:
   std::vector<Vec3> rounded(std::vector<Vec3> places) const
   {
     return this->AreFloats ? roundedToFloats(std::move(places)) : std::move(places);
+  }
+
+  std::vector<double> volumesOf(
+    const InterfaceTriangles& triangles, const std::vector<Vec3>& points) const
+  {
+    return labelVolumes(this->Net, triangles, points, this->Image.labelCount, this->Run);
+  }
+
+  /// In voxels, of points as they are written.
+  std::vector<double> volumesWritten(
+    const InterfaceTriangles& triangles, const std::vector<Vec3>& points) const
+  {
+    const Eigen::Affine3d& toSpace = this->Image.toSpace;
+    return this->volumesOf(triangles,
+      inSpace(this->rounded(inSpace(points, toSpace, this->Run)), toSpace.inverse(), this->Run));
+  }
+
+  /// Do labels keep their volumes when the points become floats?
+  bool volumesHold(const InterfaceTriangles& triangles, const std::vector<Vec3>& points) const
+  {
+    const std::vector<double> wanted = voxelCounts(this->Image);
+    const std::vector<double> computed = this->volumesOf(triangles, points);
+    const std::vector<double> written = this->volumesWritten(triangles, points);
+    for (std::size_t l = 0; l < wanted.size(); ++l)
+    {
+      if (std::abs(written[l] - computed[l]) > MostRounding * wanted[l])
+      {
+        return false;
+      }
+    }
+    return true;
   }
 
   /// Errors as computed, and volumes of the points as they are written.
@@ -125,14 +176,10 @@ private:
     LabelSurfaces& result) const
   {
     const std::vector<double> wanted = voxelCounts(this->Image);
-    const auto volumesAt = [&](const std::vector<Vec3>& at)
-    { return labelVolumes(this->Net, triangles, at, wanted.size(), this->Run); };
-    const std::vector<double> computed = volumesAt(points);
-    const Eigen::Affine3d& toSpace = this->Image.toSpace;
-    result.volumes = volumesAt(
-      inSpace(this->rounded(inSpace(points, toSpace, this->Run)), toSpace.inverse(), this->Run));
+    const std::vector<double> computed = this->volumesOf(triangles, points);
+    result.volumes = this->volumesWritten(triangles, points);
     result.voxelVolumes = wanted;
-    const double ofVoxel = std::abs(toSpace.linear().determinant());
+    const double ofVoxel = std::abs(this->Image.toSpace.linear().determinant());
     for (std::size_t l = 0; l < wanted.size(); ++l)
     {
       const double error = std::abs(computed[l] - wanted[l]);
@@ -173,6 +220,7 @@ private:
   InterfaceNet Net;
   NetLimits Limits;
   bool AreFloats = true;
+  bool IsSplit = false; ///< edges have got a vertex in their middle
 };
 
 } // namespace

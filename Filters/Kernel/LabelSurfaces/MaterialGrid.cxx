@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace evolving
 {
@@ -38,26 +39,57 @@ Octants MaterialGrid::around(const std::array<Index, 3>& corner) const
   return octants;
 }
 
-Index MaterialGrid::count(const std::array<Index, 3>& corner, Material material, Index reach) const
+Index MaterialGrid::smallestPart(const std::array<Index, 3>& corner, Index reach) const
 {
-  Block block{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  // Cells of the cube of voxels around the corner, those outside the outer layer left out.
+  const Index side = 2 * reach;
+  std::vector<char> isReached(at(side * side * side), 0);
+  std::vector<std::array<Index, 3>> part;
+  const auto add = [&](const std::array<Index, 3>& cell, Material material)
   {
-    block.first[axis] = std::max(corner[axis] - reach, -1);
-    block.last[axis] = std::min(corner[axis] + reach - 1, this->Sizes[axis]);
-  }
-  Index count = 0;
-  for (Index k = block.first[2]; k <= block.last[2]; ++k)
-  {
-    for (Index j = block.first[1]; j <= block.last[1]; ++j)
+    std::array<Index, 3> voxel{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      for (Index i = block.first[0]; i <= block.last[0]; ++i)
+      voxel[axis] = corner[axis] - reach + cell[axis];
+      if (cell[axis] < 0 || cell[axis] >= side || voxel[axis] < -1 ||
+        voxel[axis] > this->Sizes[axis])
       {
-        count += (*this)(i, j, k) == material ? 1 : 0;
+        return;
       }
     }
+    char& has = isReached[at(cell[0] + side * (cell[1] + side * cell[2]))];
+    if (has == 0 && (*this)(voxel[0], voxel[1], voxel[2]) == material)
+    {
+      has = 1;
+      part.push_back(cell);
+    }
+  };
+  const Octants octants = this->around(corner);
+  Index smallest = std::numeric_limits<Index>::max();
+  for (Index b = 0; b < 8; ++b)
+  {
+    const Material material = octants[at(b)];
+    part.clear();
+    add({ reach - 1 + (b & 1), reach - 1 + (b >> 1 & 1), reach - 1 + (b >> 2) }, material);
+    if (part.empty() || material == OutsideImage)
+    {
+      continue;
+    }
+    for (std::size_t i = 0; i < part.size(); ++i)
+    {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        for (const Index way : { -1, 1 })
+        {
+          std::array<Index, 3> next = part[i];
+          next[axis] += way;
+          add(next, material);
+        }
+      }
+    }
+    smallest = std::min(smallest, static_cast<Index>(part.size()));
   }
-  return count;
+  return smallest;
 }
 
 MaterialGrid::Block MaterialGrid::blockAround(const Vec3& point, double reach) const

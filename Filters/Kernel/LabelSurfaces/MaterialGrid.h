@@ -63,8 +63,11 @@ public:
   }
   Octants around(const std::array<Index, 3>& corner) const;
 
-  /// How many voxels of a material there are, at most so many to each side of a corner.
-  Index count(const std::array<Index, 3>& corner, Material material, Index reach) const;
+  /**
+   * Of the voxels around a corner the smallest part: how many voxels of its material hang together
+   * with it by faces, at most so many to each side of the corner. Not of the outer layer.
+   */
+  Index smallestPart(const std::array<Index, 3>& corner, Index reach) const;
 
   /// A voxel's number, and the step to the next one along an axis.
   GridIndex voxel(Index i, Index j, Index k) const

@@ -23,8 +23,8 @@ constexpr double LabelReach = 0.7;
 constexpr int MostProjections = 20;
 /// Of what slides, along each axis from its corner: farther away are other parts of its labels.
 constexpr double MostSliding = 1.5;
-/// What has less than this many voxels in the cube of so many to each side of a corner, an eighth
-/// of which is 27, is too small for its sheets to say where they end, and keeps its shape.
+/// A part with less than this many voxels in the cube of so many to each side of a corner, an
+/// eighth of which is 27, is too small for its sheets to say where they end, and keeps its shape.
 constexpr Index PartReach = 3;
 constexpr Index LeastForPart = 18;
 /// Edges from a curve within which the vertices of sheets make room for it.
@@ -67,17 +67,6 @@ Vec3 clippedAlong(const Vec3& normal, const Vec3& move, const Box& box)
     moved += normal.dot(move - moved) * normal;
   }
   return clipped(moved, box);
-}
-
-/// Is there little of a material around a corner that has it?
-bool hasSmallPart(const MaterialGrid& grid, const std::array<Index, 3>& corner)
-{
-  Octants octants = grid.around(corner);
-  std::sort(octants.begin(), octants.end());
-  const auto end = std::unique(octants.begin(), octants.end());
-  return std::any_of(octants.begin(), end,
-    [&](Material material)
-    { return material != OutsideImage && grid.count(corner, material, PartReach) < LeastForPart; });
 }
 
 /// Vertices of curves, and of sheets up to some edges from them; not those in sides of the image.
@@ -127,7 +116,7 @@ NetLimits::NetLimits(const MaterialGrid& grid, const InterfaceNet& net, const Ex
           });
         this->Thin[at(i)] = static_cast<std::uint8_t>(sides);
       }
-      if (this->Near[at(i)] != 0 && hasSmallPart(grid, net.corners[at(i)]))
+      if (this->Near[at(i)] != 0 && grid.smallestPart(net.corners[at(i)], PartReach) < LeastForPart)
       {
         this->Near[at(i)] = 0;
       }

@@ -66,10 +66,11 @@ TEST(LabelNumbers, RefuseWhatIsNoLabel)
   EXPECT_TRUE(says(refusal({ 0, 0, 1, 0, 3, 0, 0, 0 }, { { 7 }, 0 }), "it has 1, 3"));
 }
 
-TEST(LabelNumbers, RefuseABackgroundThatIsNoNumber)
+TEST(LabelNumbers, RefuseABackgroundThatIsNoWholeNumber)
 {
   const double none = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(says(refusal(std::vector<double>(8, 1.0), { {}, none }), "BackgroundLabel is nan"));
+  EXPECT_TRUE(says(refusal(std::vector<double>(8, 1.0), { {}, 0.5 }), "BackgroundLabel is 0.5"));
 }
 
 TEST(LabelNumbers, RefuseASlice)
