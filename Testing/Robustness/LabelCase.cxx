@@ -25,8 +25,8 @@ namespace
 
 /// Of the voxels of a label, relative: what is promised, and what is not said in a warning.
 constexpr double VolumeError = 0.01;
-/// In voxels: half the diagonal of one.
-constexpr double MostDistance = 0.87;
+/// In voxels: of points 0.85, and of middles of edges between them a little more.
+constexpr double MostDistance = 0.95;
 
 /// vtkLabelSurfaces takes images, which it draws itself: the model is not used.
 class LabelCase : public FilterCase
@@ -56,8 +56,8 @@ public:
     this->Labels.image->GetDimensions(sizes);
     return *std::min_element(sizes, sizes + 3) < 2      ? "the image is a slice"
       : this->Labels.hasNaN || this->Labels.hasFraction ? "a value is no whole number"
-      : this->Parameters.isNaN("SmoothingLength") || this->Parameters.isNaN("BackgroundLabel")
-      ? "SmoothingLength or BackgroundLabel is NaN"
+      : this->Parameters.isNaN("SmoothingLength") || !this->isBackgroundWhole()
+      ? "SmoothingLength is NaN or BackgroundLabel no whole number"
       : this->isAnyChosen() && this->counts().empty() ? "no chosen label is there"
                                                       : "";
   }
@@ -93,6 +93,12 @@ private:
   vtkPolyData* interfaces()
   {
     return vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(1));
+  }
+
+  bool isBackgroundWhole() const
+  {
+    const double background = this->Filter->GetBackgroundLabel();
+    return background == std::floor(background);
   }
 
   bool isAnyChosen() const { return this->Filter->GetNumberOfLabels() > 0; }

@@ -20,14 +20,25 @@ namespace
 
 using Labels = std::function<int(const Vec3&)>;
 
+/// Three numbers, in order: the arguments of a call have none.
+template <class Draw>
+Vec3 drawn(const Draw& draw)
+{
+  Vec3 vector;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    vector[axis] = draw();
+  }
+  return vector;
+}
+
 /// The nearest of some places, within a ball.
 Labels cells(Random& random, const Vec3& sizes, int count)
 {
   std::vector<Vec3> seeds;
   for (int i = 0; i < count; ++i)
   {
-    seeds.emplace_back(
-      random.real(0.0, sizes.x()), random.real(0.0, sizes.y()), random.real(0.0, sizes.z()));
+    seeds.emplace_back(drawn([&]() { return random.real(0.0, 1.0); }).cwiseProduct(sizes));
   }
   const double radius = random.real(0.3, 1.0) * sizes.maxCoeff();
   return [=](const Vec3& p)
@@ -87,14 +98,15 @@ Labels noise(Random& random, int count)
 void place(Random& random, vtkImageData* image)
 {
   const double spacing = random.chance(0.5) ? 1.0 : random.logarithmic(1e-4, 1e3);
-  const auto side = [&]() { return spacing * (random.chance(0.6) ? 1.0 : random.real(0.3, 3.0)); };
-  image->SetSpacing(side(), side(), side());
+  const Vec3 sides =
+    drawn([&]() { return spacing * (random.chance(0.6) ? 1.0 : random.real(0.3, 3.0)); });
+  image->SetSpacing(sides.data());
   const double far = random.chance(0.6) ? 0.0 : random.logarithmic(1.0, 1e7) * spacing;
   image->SetOrigin((far * random.direction()).eval().data());
   if (random.chance(0.3))
   {
-    image->SetDirectionMatrix(0.0, random.chance(0.5) ? 1.0 : -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0,
-      random.chance(0.5) ? 1.0 : -1.0);
+    const Vec3 signs = drawn([&]() { return random.chance(0.5) ? 1.0 : -1.0; });
+    image->SetDirectionMatrix(0.0, signs.x(), 0.0, signs.y(), 0.0, 0.0, 0.0, 0.0, signs.z());
   }
 }
 
@@ -169,8 +181,8 @@ LabelModel drawLabels(Random& random, bool isOdd)
   model.image = vtkSmartPointer<vtkImageData>::New();
   const int most = random.chance(0.8) ? 12 : 20;
   const bool isSlice = isOdd && random.chance(0.1);
-  const Vec3 sizes(
-    random.integer(2, most), random.integer(2, most), isSlice ? 1 : random.integer(2, most));
+  Vec3 sizes = drawn([&]() { return double(random.integer(2, most)); });
+  sizes.z() = isSlice ? 1.0 : sizes.z();
   model.image->SetDimensions(int(sizes.x()), int(sizes.y()), int(sizes.z()));
   place(random, model.image);
   model.image->AllocateScalars(
