@@ -170,6 +170,7 @@ public:
   ///@{
   /**
    * Smaller triangles where the input is curved and larger ones where it is flat, as many in all.
+   * Around thin walls and gaps they may be no good, and triangles stay alike; Shortcomings says so.
    * The default is off.
    */
   vtkSetMacro(AdaptToCurvature, bool);

@@ -10,6 +10,7 @@
 #include "Remeshing/VerticesNear.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace evolving
@@ -61,10 +62,13 @@ public:
     }
   }
 
-  bool areNone() const
+  std::ptrdiff_t count() const { return std::count(this->IsFault.begin(), this->IsFault.end(), 1); }
+
+  /// A corner of the first one.
+  Vec3 place() const
   {
-    return std::none_of(
-      this->IsFault.begin(), this->IsFault.end(), [](char isFault) { return isFault != 0; });
+    const auto first = std::find(this->IsFault.begin(), this->IsFault.end(), 1);
+    return this->Surface.corner(static_cast<Index>(first - this->IsFault.begin()), 0);
   }
 
   SurfaceMesh faces() const
@@ -99,6 +103,16 @@ void lockAround(EditableSurface& surface, const SurfaceMesh& faces, double sizes
   }
 }
 
+bool isAllLocked(const EditableSurface& surface)
+{
+  bool isAll = true;
+  for (Index v = 0; isAll && v < surface.vertexSlots(); ++v)
+  {
+    isAll = !surface.hasVertex(v) || surface.isLocked(v);
+  }
+  return isAll;
+}
+
 /**
  * Takes the vertices of intersecting triangles back until none is left, or they intersected before.
  * @param takeBack changes what the view sees
@@ -131,17 +145,18 @@ Index takeIntersectionsBack(
 
 } // namespace
 
-Index runWithoutIntersections(EditableSurface& surface, const RemeshingStage& stage,
+StageRuns runWithoutIntersections(EditableSurface& surface, const RemeshingStage& stage,
   const Execution& execution, double leastAngle)
 {
   EditableSurface before = surface;
-  Index made = 0;
+  StageRuns runs;
+  std::ptrdiff_t first = 0;
   for (int run = 1; run <= MostRuns; ++run)
   {
     stage(surface);
     surface.compact();
     FacePairs pairs = selfIntersections(surface.triangles(), execution.phase(0.0, 0.0));
-    made = run == 1 ? static_cast<Index>(pairs.size()) : made;
+    runs.intersections = run == 1 ? static_cast<Index>(pairs.size()) : runs.intersections;
     pairs = untangle(surface, std::move(pairs), execution);
     Faults faults(surface);
     faults.add(pairs);
@@ -149,16 +164,25 @@ Index runWithoutIntersections(EditableSurface& surface, const RemeshingStage& st
     {
       faults.addAngles(leastAngle);
     }
-    if (faults.areNone())
+    if (faults.count() == 0)
     {
+      runs.isLeftOut = isAllLocked(surface);
       surface.releaseLocks();
-      return made;
+      return runs;
     }
+    first = run == 1 ? faults.count() : first;
+    runs.place = faults.place();
+    const bool isInVain = run > 1 && pairs.empty() && faults.count() >= first;
     lockAround(before, faults.faces(), run * LockedSizes);
     surface = before;
+    if (isInVain)
+    {
+      break;
+    }
   }
   surface.releaseLocks();
-  return made;
+  runs.isLeftOut = true;
+  return runs;
 }
 
 Index moveWithoutIntersections(

@@ -22,18 +22,26 @@ namespace evolving
 /// Changes a surface in any way that leaves locked faces alone (EditableSurface::setLocked()).
 using RemeshingStage = std::function<void(EditableSurface& surface)>;
 
+/// What has become of a stage.
+struct StageRuns
+{
+  Index intersections = 0;   ///< pairs of triangles that the first run made intersect
+  bool isLeftOut = false;    ///< no run was good, or the one that was had all locked
+  Vec3 place = Vec3::Zero(); ///< a corner of a triangle that the last run spoiled, then
+};
+
 /**
  * Runs a stage on a surface without self-intersections. Where the stage makes some, it is
  * smoothed, untangle(). Where that does not help, the surface goes back to what it was, is locked
- * within a few sizes around, and the stage runs again; at last the stage is left out altogether.
+ * within a few sizes around, and the stage runs again; at last the stage is left out altogether,
+ * or as soon as what is locked makes as many small angles beside it as there were without locks.
  * So the surface has no self-intersections afterwards, and is compact.
  * Locks of the stage are released at the end.
  * @param leastAngle where the stage leaves more than two triangles with smaller angles, in
  *   degrees, the surface goes back too
- * @return the number of pairs of triangles that the first run made intersect
  * @throws Cancelled
  */
-Index runWithoutIntersections(EditableSurface& surface, const RemeshingStage& stage,
+StageRuns runWithoutIntersections(EditableSurface& surface, const RemeshingStage& stage,
   const Execution& execution = {}, double leastAngle = 0.0);
 
 /**

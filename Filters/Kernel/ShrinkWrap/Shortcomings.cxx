@@ -49,6 +49,7 @@ public:
     this->sayOfTopology();
     this->sayOfLostTopology();
     this->sayOfElements();
+    this->sayOfAdaptation();
     if (this->Far < FarEdges * this->EdgeLength)
     {
       this->sayOfCoarseShape();
@@ -109,6 +110,17 @@ private:
       this->say("The smallest angle of the result is ", this->Report.minAngle, " degrees, below ",
         QualityFloor, ", at (", this->Report.minAnglePlace.transpose(), "); ",
         this->smallerTriangles(), ".");
+    }
+  }
+
+  void sayOfAdaptation()
+  {
+    const StageRuns& adaptation = this->Report.adaptation;
+    if (adaptation.isLeftOut)
+    {
+      this->say("Elements could not follow the curvature and are uniform: those of a thin wall or "
+                "in a narrow gap would run through each other or be slivers, some at (",
+        adaptation.place.transpose(), "); ", this->smallerTriangles(), ", or no AdaptToCurvature.");
     }
   }
 

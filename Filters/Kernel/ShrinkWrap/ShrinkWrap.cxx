@@ -178,6 +178,7 @@ SurfaceReport measureWrap(
   measureLoss(surface, samplesOf(reference.visible(), problem.edgeLength), far, report,
     execution.phase(0.75, 1.0));
   report.creases = problem.remesher->creases();
+  report.adaptation = problem.remesher->adaptation();
   report.coarse = findCoarseParts(surface);
   report.modelSize = problem.modelSize;
   report.morePoints = problem.options.targetEdgeLength == 0.0

@@ -14,6 +14,7 @@
 #include "FeatureCapture/FeatureCoverage.h"
 #include "LostTopology/LostTopology.h"
 #include "Mesh/SurfaceMesh.h"
+#include "Remeshing/IntersectionFreeStages.h"
 #include "ShrinkWrap/CoarseParts.h"
 #include "Types.h"
 
@@ -43,6 +44,7 @@ struct SurfaceReport
   double lostPart = 0.0;                 ///< of the target's samples, see measureLoss(); 0 to 1
   Vec3 lostPlace = Vec3::Zero();         ///< the farthest of them
   FeatureCoverage creases;               ///< for who made the surface to say
+  StageRuns adaptation;                  ///< likewise: of elements to the curvature
   CoarseParts coarse;                    ///< likewise
   double modelSize = 0.0;                ///< likewise: the diagonal of its box; 0 = unknown
   /// Likewise: what to ask for to get clearly smaller triangles; 0 where their size was asked for.

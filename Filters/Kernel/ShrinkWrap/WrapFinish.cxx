@@ -65,7 +65,12 @@ public:
     }
     if (this->Options.adaptToCurvature)
     {
-      this->stage(0.3, 0.5, &Finish::adapt, unlessWorse(this->Tuning.leastAngleOfAdapted));
+      this->stage(0.3, 0.5, &Finish::adapt,
+        [this](EditableSurface& surface, const RemeshingStage& adapt, const Execution& now)
+        {
+          this->Adaptation =
+            runWithoutIntersections(surface, adapt, now, this->Tuning.leastAngleOfAdapted);
+        });
     }
     this->stage(0.5, 0.6, &Finish::polish);
     this->stage(0.6, 0.75, &Finish::fitAlong);
@@ -96,7 +101,7 @@ public:
       this->stage(1.0, 1.0, &Finish::landOften,
         moveWithoutIntersections); // the offset is a promise for vertices
     }
-    return { this->Surface.mesh(), this->coverage() };
+    return { this->Surface.mesh(), this->coverage(), this->Adaptation };
   }
 
 private:
@@ -121,16 +126,16 @@ private:
 
   using Work = void (Finish::*)(EditableSurface&, const Execution&) const;
 
-  using Guard = std::function<Index(EditableSurface&, const RemeshingStage&, const Execution&)>;
+  /// What undoes a stage where it makes intersections.
+  using Guard = std::function<void(EditableSurface&, const RemeshingStage&, const Execution&)>;
 
-  /// What undoes a stage where it makes intersections, or smaller angles than this.
-  static Guard unlessWorse(double leastAngle)
+  static void runGuarded(
+    EditableSurface& surface, const RemeshingStage& stage, const Execution& now)
   {
-    return [leastAngle](EditableSurface& surface, const RemeshingStage& stage, const Execution& now)
-    { return runWithoutIntersections(surface, stage, now, leastAngle); };
+    runWithoutIntersections(surface, stage, now);
   }
 
-  void stage(double from, double to, Work work, const Guard& guard = unlessWorse(0.0))
+  void stage(double from, double to, Work work, const Guard& guard = runGuarded)
   {
     this->Run.phase(from, to).report(0.0);
     const Execution now = this->Run.phase(from, from); // parts run again and again
@@ -270,6 +275,7 @@ private:
   std::optional<TargetFeatures> Features; ///< where creases are to be preserved
   CreaseWorth Worth;                      ///< what they may cost
   int EasingRound = 0;
+  StageRuns Adaptation;
   std::optional<FeatureReference> OnFeatures;
   const ShrinkWrapOptions& Options;
   const FinishTuning& Tuning;

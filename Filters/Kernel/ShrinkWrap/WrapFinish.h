@@ -13,6 +13,7 @@
 #include "Execution.h"
 #include "FeatureCapture/FeatureCoverage.h"
 #include "Mesh/SurfaceMesh.h"
+#include "Remeshing/IntersectionFreeStages.h"
 #include "ShrinkWrap/ShrinkWrapOptions.h"
 #include "ShrinkWrap/WrapReference.h"
 #include "ShrinkWrap/WrapTarget.h"
@@ -24,6 +25,7 @@ struct FinishedWrap
 {
   SurfaceMesh surface; ///< without self-intersections: a stage that makes some is undone there
   FeatureCoverage creases;
+  StageRuns adaptation; ///< ShrinkWrapOptions::adaptToCurvature
 };
 
 /**

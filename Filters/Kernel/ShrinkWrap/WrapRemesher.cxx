@@ -62,6 +62,7 @@ std::optional<SurfaceMesh> WrapRemesher::remesh(
     FinishedWrap finished =
       finishWrap(surface, *this->Target, *this->Reference, this->Options, execution);
     this->Creases = finished.creases;
+    this->Adaptation = finished.adaptation;
     return std::move(finished.surface);
   }
   return surface;

@@ -11,6 +11,7 @@
 
 #include "Evolution/Remesher.h"
 #include "FeatureCapture/FeatureCoverage.h"
+#include "Remeshing/IntersectionFreeStages.h"
 #include "ShrinkWrap/ShrinkWrapOptions.h"
 #include "ShrinkWrap/WrapReference.h"
 #include "ShrinkWrap/WrapTarget.h"
@@ -40,12 +41,14 @@ public:
 
   /// Of the finished surface.
   const FeatureCoverage& creases() const { return this->Creases; }
+  const StageRuns& adaptation() const { return this->Adaptation; }
 
 private:
   std::shared_ptr<const WrapTarget> Target;
   std::shared_ptr<const WrapReference> Reference;
   ShrinkWrapOptions Options;
   FeatureCoverage Creases;
+  StageRuns Adaptation;
 };
 
 } // namespace evolving

@@ -58,7 +58,7 @@ TEST(IntersectionFreeStages, LetsAStageThatIntersectsNothingPass)
   };
   EditableSurface expected = surface;
   lift(expected);
-  EXPECT_EQ(runWithoutIntersections(surface, lift), 0);
+  EXPECT_EQ(runWithoutIntersections(surface, lift).intersections, 0);
   EXPECT_TRUE(surface.mesh() == expected.mesh());
 }
 
@@ -68,13 +68,14 @@ TEST(IntersectionFreeStages, SmoothsAPlaceAndKeepsTheRest)
   EditableSurface once = surface;
   liftAndPush(once, OneVertex, false);
   int runs = 0;
-  const Index made = runWithoutIntersections(surface,
+  const StageRuns outcome = runWithoutIntersections(surface,
     [&](EditableSurface& s)
     {
       ++runs;
       liftAndPush(s, OneVertex, false);
     });
-  EXPECT_EQ(made, static_cast<Index>(selfIntersections(once.mesh()).size()));
+  EXPECT_FALSE(outcome.isLeftOut);
+  EXPECT_EQ(outcome.intersections, static_cast<Index>(selfIntersections(once.mesh()).size()));
   EXPECT_EQ(runs, 1);
   EXPECT_TRUE(selfIntersections(surface.mesh()).empty());
   for (const Index v : verticesOf(surface))
@@ -91,13 +92,14 @@ TEST(IntersectionFreeStages, UndoesAPlaceAndKeepsTheRest)
   EditableSurface surface = slab();
   const EditableSurface before = surface;
   int runs = 0;
-  const Index made = runWithoutIntersections(surface,
+  const StageRuns outcome = runWithoutIntersections(surface,
     [&](EditableSurface& s)
     {
       ++runs;
       liftAndPush(s, ManyVertices, true);
     });
-  EXPECT_GT(made, 0);
+  EXPECT_GT(outcome.intersections, 0);
+  EXPECT_FALSE(outcome.isLeftOut);
   EXPECT_EQ(runs, 2);
   EXPECT_TRUE(selfIntersections(surface.mesh()).empty());
   Index moved = 0;
@@ -147,11 +149,46 @@ TEST(IntersectionFreeStages, TakesBackSmallAnglesWhenAsked)
   const EditableSurface sphere = shapes::sized(shapes::shakenSphere(3, 0.0, 1), 0.15);
   const SurfaceMesh before = sphere.mesh();
   EditableSurface surface = sphere;
-  EXPECT_EQ(runWithoutIntersections(surface, squash), 0);
+  EXPECT_EQ(runWithoutIntersections(surface, squash).intersections, 0);
   EXPECT_GT(smallAngles(surface), 2);
   surface = sphere;
-  EXPECT_EQ(runWithoutIntersections(surface, squash, {}, 10.0), 0);
+  EXPECT_EQ(runWithoutIntersections(surface, squash, {}, 10.0).intersections, 0);
   EXPECT_EQ(smallAngles(surface), 0);
+  EXPECT_TRUE(surface.mesh() == before);
+}
+
+/// Squashes triangles beside what is locked, or at some vertices where nothing is.
+Index squashBesideLocks(EditableSurface& surface)
+{
+  const std::vector<Index> vertices = verticesOf(surface);
+  const bool isLocked =
+    std::any_of(vertices.begin(), vertices.end(), [&](Index v) { return surface.isLocked(v); });
+  Index count = 0;
+  for (const Index v : vertices)
+  {
+    Index neighbour = NoIndex;
+    surface.forEachNeighbour(
+      v, [&](Index u) { neighbour = !isLocked || surface.isLocked(u) ? u : neighbour; });
+    const bool isWanted = isLocked ? neighbour != NoIndex : v == 100 || v == 300;
+    if (isWanted && !surface.isLocked(v))
+    {
+      surface.setPoint(v, 0.05 * surface.point(v) + 0.95 * surface.point(neighbour));
+      ++count;
+    }
+  }
+  return count;
+}
+
+TEST(IntersectionFreeStages, EndsWhereLocksMakeAsManySmallAngles)
+{
+  EditableSurface surface = shapes::sized(shapes::shakenSphere(3, 0.0, 1), 0.15);
+  const SurfaceMesh before = surface.mesh();
+  std::vector<Index> squashed;
+  const StageRuns outcome = runWithoutIntersections(
+    surface, [&](EditableSurface& s) { squashed.push_back(squashBesideLocks(s)); }, {}, 10.0);
+  ASSERT_EQ(squashed.size(), 2U);
+  EXPECT_GT(squashed.back(), squashed.front());
+  EXPECT_TRUE(outcome.isLeftOut);
   EXPECT_TRUE(surface.mesh() == before);
 }
 
@@ -191,13 +228,15 @@ TEST(IntersectionFreeStages, LeavesAStageOutThatAlwaysIntersects)
   const Content before(surface);
   const SurfaceMesh mesh = surface.mesh();
   int runs = 0;
-  EXPECT_GT(runWithoutIntersections(surface,
-              [&](EditableSurface& s)
-              {
-                ++runs;
-                liftAndPush(s, ManyVertices, false);
-              }),
-    0);
+  const StageRuns outcome = runWithoutIntersections(surface,
+    [&](EditableSurface& s)
+    {
+      ++runs;
+      liftAndPush(s, ManyVertices, false);
+    });
+  EXPECT_GT(outcome.intersections, 0);
+  EXPECT_TRUE(outcome.isLeftOut);
+  EXPECT_LT((outcome.place - Vec3(0.5, 0.5, 0.0)).head<2>().norm(), ManyVertices + 0.25);
   EXPECT_GT(runs, 1); // it was tried again
   EXPECT_TRUE(surface.mesh() == mesh);
   EXPECT_TRUE(Content(surface) == before);

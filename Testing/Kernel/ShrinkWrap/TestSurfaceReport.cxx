@@ -67,6 +67,20 @@ TEST(SurfaceReport, SaysWhatIsWrongAndWhere)
   EXPECT_NE(sentences[1].find("membrane"), std::string::npos);
 }
 
+TEST(SurfaceReport, SaysWhereElementsCouldNotFollowTheCurvature)
+{
+  SurfaceReport report = examine(icosphere(3), fromSphere(1.0));
+  report.adaptation.place = Vec3(1.5, 2.5, 3.5);
+  EXPECT_TRUE(shortcomings(report, 0.15).empty());
+  report.adaptation.isLeftOut = true;
+  const std::vector<std::string> sentences = shortcomings(report, 0.15);
+  ASSERT_EQ(sentences.size(), 1u);
+  for (const char* words : { "uniform", "1.5 2.5 3.5", "AdaptToCurvature", "TargetEdgeLength" })
+  {
+    EXPECT_NE(sentences[0].find(words), std::string::npos) << words;
+  }
+}
+
 TEST(SurfaceReport, AdvisesWhatIsSet)
 {
   SurfaceReport report = examine(icosphere(3), fromSphere(1.0));

@@ -89,6 +89,23 @@ TEST(WrapFinish, AdaptedSizesGiveAsManyVerticesSmallerWhereItIsCurved)
   EXPECT_GT(nearTips(adapted.surface), 1.3 * nearTips(uniform.surface));
 }
 
+TEST(WrapFinish, SaysWhetherElementsFollowTheCurvature)
+{
+  // No element has an angle of 61 degrees: with such a tuning each run is worse than none.
+  const SurfaceMesh target = shapes::ellipsoid(5, Vec3(1.0, 1.0, 2.0));
+  ShrinkWrapOptions options = wraps::quick(0.2);
+  options.adaptToCurvature = true;
+  for (const double leastAngle : { 15.0, 61.0 })
+  {
+    WrapTuning tuning;
+    tuning.finish.leastAngleOfAdapted = leastAngle;
+    const ShrinkWrapProblem problem = prepareShrinkWrap(target, options, {}, tuning);
+    const SurfaceMesh surface = wraps::run(problem);
+    wraps::expectSound(surface, 0);
+    EXPECT_EQ(measureWrap(surface, problem, {}).adaptation.isLeftOut, leastAngle > 60.0);
+  }
+}
+
 TEST(WrapFinish, VerticesLandAtTheOffset)
 {
   ShrinkWrapOptions options = wraps::quick();
