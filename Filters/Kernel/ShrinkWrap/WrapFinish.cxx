@@ -95,7 +95,7 @@ public:
     {
       this->stage(0.9, 0.95, &Finish::settle, moveWithoutIntersections);
     }
-    this->stage(0.95, 1.0, &Finish::repair);
+    this->repairOrLeave();
     if (this->Offset > 0.0)
     {
       this->stage(1.0, 1.0, &Finish::landOften,
@@ -105,6 +105,19 @@ public:
   }
 
 private:
+  /// Where a blade is thinner than its elements new ones run through its other side, and what is
+  /// smoothed for that may be slivers, with no stage left to mend them.
+  void repairOrLeave()
+  {
+    const EditableSurface before = this->Surface;
+    const bool hadSlivers = this->hasSlivers();
+    this->stage(0.95, 1.0, &Finish::repair);
+    if (!hadSlivers && this->hasSlivers())
+    {
+      this->Surface = before;
+    }
+  }
+
   /// Elements as large as the model itself can collapse onto its corners.
   void captureOrLeave()
   {
