@@ -190,8 +190,8 @@ public:
    * large facets, edges that fold by two thirds of FeatureAngle being three times as long as those
    * of the result, get the edges of their facets, also faint ones down to a ninth of FeatureAngle
    * that make no angle below 36 degrees with another. Triangles come first: what would leave them
-   * angles below 33 degrees, beside facets and at tips 22, is rounded. ON keeps all sharp edges
-   * and, for them, angles down to 22 degrees. OFF keeps none.
+   * angles below 33 degrees, beside facets, at tips and in corners 22, is rounded. ON keeps all
+   * sharp edges and, for them, angles down to 22 degrees. OFF keeps none.
    */
   vtkSetClampMacro(PreserveFeatures, int, OFF, AUTOMATIC);
   vtkGetMacro(PreserveFeatures, int);

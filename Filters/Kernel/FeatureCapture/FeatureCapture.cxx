@@ -3,9 +3,11 @@
 
 #include "FeatureCapture/FeatureCapture.h"
 
+#include "FeatureCapture/BorderReach.h"
 #include "FeatureCapture/CornerEdges.h"
 #include "FeatureCapture/FaceLabels.h"
 #include "FeatureCapture/FeatureReference.h"
+#include "FeatureCapture/LabelIslands.h"
 #include "FeatureCapture/LabelSplitting.h"
 #include "FeatureCapture/VertexLabels.h"
 #include "ParallelLoops.h"
@@ -30,6 +32,7 @@ public:
     : Surface(surface)
     , Features(features)
     , Vertices(labels)
+    , Reach(surface, features)
   {
   }
 
@@ -69,8 +72,8 @@ private:
       if (around.size() == 2)
       {
         this->Surface.setPoint(v,
-          onBorder(this->Features, this->Surface.point(v), around[0], around[1],
-            BorderReach * this->Surface.size(v)));
+          this->Reach.onBorder(
+            this->Surface.point(v), around[0], around[1], this->Surface.size(v)));
       }
       else if (around.size() > 2)
       {
@@ -87,7 +90,8 @@ private:
       return;
     }
     const Vec3& place = this->Features.target().point(meeting);
-    if ((place - this->Surface.point(v)).norm() > BorderReach * this->Surface.size(v))
+    if ((place - this->Surface.point(v)).norm() >
+      this->Reach.ofCorner(meeting, this->Surface.size(v)))
     {
       return;
     }
@@ -189,6 +193,7 @@ private:
   EditableSurface& Surface;
   const TargetFeatures& Features;
   VertexLabels& Vertices;
+  BorderReach Reach;
 };
 
 } // namespace
@@ -203,6 +208,7 @@ void captureFeatures(
   execution.report(0.5);
   joinCorners(surface, features, labels);
   labelFaces(surface, features, labels);
+  joinIslands(surface);
   execution.report(0.75);
   Capture(surface, features, labels).run();
 }

@@ -52,6 +52,14 @@ Index sharpestCorner(const EditableSurface& surface, Index face)
   return sharpest;
 }
 
+/// Two creases meet at its smallest angle: other triangles could not have a larger one there.
+bool fillsCorner(const EditableSurface& surface, Index face)
+{
+  const Index a = sharpestCorner(surface, face);
+  return surface.isPinned(surface.from(a)) && surface.curve(a) != NoIndex &&
+    surface.curve(EditableSurface::previous(a)) != NoIndex;
+}
+
 /// The edges of the crease that is to go first at a face; none where there is no crease.
 std::vector<Index> weakestAt(const EditableSurface& surface, Index face, const CreaseWorth& worth)
 {
@@ -151,7 +159,8 @@ std::vector<Index> crampedFaces(const EditableSurface& surface, const CreaseWort
   for (Index f = 0; f < surface.faceSlots(); ++f)
   {
     const double cosine = surface.hasFace(f) ? cosineOfSmallestAngle(surface, f) : 0.0;
-    if (cosine > limit && isAtCrease(surface, f) && (cosine > limitAtTips || !hasTip(surface, f)))
+    if (cosine > limit && isAtCrease(surface, f) &&
+      (cosine > limitAtTips || !(hasTip(surface, f) || fillsCorner(surface, f))))
     {
       faces.push_back(f);
     }

@@ -24,7 +24,8 @@ struct CreaseWorth
   double angle = 0.0; ///< beside creases in general
   /// The same, where it is less, for the triangles of a tip: a pinned vertex around which there are
   /// less than 180 degrees in all. A tip that is let go is cut off by about an element, of a crease
-  /// less is lost.
+  /// less is lost. So, too, for a triangle between two creases that meet at its smallest angle, in
+  /// a pinned vertex: there is no better one.
   double atTips = 180.0;
   /// Of each curve, in degrees; may be empty, then they are all the same.
   std::vector<double> folds = {};

@@ -3,6 +3,7 @@
 
 #include "FeatureCapture/LabelSplitting.h"
 
+#include "FeatureCapture/BorderReach.h"
 #include "ParallelLoops.h"
 
 #include <algorithm>
@@ -43,6 +44,7 @@ public:
     : Surface(surface)
     , Features(features)
     , Labels(labels)
+    , Reach(surface, features)
     , Splits(at(surface.vertexSlots()), 0)
   {
   }
@@ -121,8 +123,8 @@ private:
       this->Labels.add(this->Surface.to(e), change.before);
       return NoIndex;
     }
-    const Vec3 point = onBorder(this->Features, this->along(e, change.place), change.before,
-      change.after, BorderReach * size);
+    const Vec3 point =
+      this->Reach.onBorder(this->along(e, change.place), change.before, change.after, size);
     const int splits =
       1 + std::max(this->Splits[at(this->Surface.from(e))], this->Splits[at(this->Surface.to(e))]);
     const Index m = this->Surface.split(e, point);
@@ -162,6 +164,7 @@ private:
   EditableSurface& Surface;
   const TargetFeatures& Features;
   VertexLabels& Labels;
+  BorderReach Reach;
   std::vector<int> Splits; ///< how many, one after the other, made a vertex
 };
 
@@ -171,12 +174,6 @@ void splitLabelChanges(
   EditableSurface& surface, const TargetFeatures& features, VertexLabels& labels)
 {
   Splitter(surface, features, labels).run();
-}
-
-Vec3 onBorder(const TargetFeatures& features, const Vec3& point, Index a, Index b, double reach)
-{
-  const EdgePoint closest = features.borders().closest(point, a, b);
-  return closest.squaredDistance <= reach * reach ? closest.point : point;
 }
 
 } // namespace evolving

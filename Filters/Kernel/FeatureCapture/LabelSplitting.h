@@ -24,14 +24,6 @@ namespace evolving
 void splitLabelChanges(
   EditableSurface& surface, const TargetFeatures& features, VertexLabels& labels);
 
-/// In sizes: how far capture moves a vertex to where labels meet. The border that an edge crosses
-/// is no farther from it than it is long, LongestPerSize; the rest is for bends.
-constexpr double BorderReach = 1.5;
-
-/// The point closest to a given one on the border between two labels; the given one itself where
-/// that is farther away than `reach`.
-Vec3 onBorder(const TargetFeatures& features, const Vec3& point, Index a, Index b, double reach);
-
 } // namespace evolving
 
 #endif

@@ -14,7 +14,9 @@ namespace evolving
 namespace
 {
 
-constexpr double NearCorner = 3.0; ///< where curves that meet may be close, over the distance
+/// Where curves that meet may be close, over the distance: those at more than 22 degrees, which
+/// elements of any size can have (FinishTuning::leastFeatureAngle).
+constexpr double NearCorner = 2.67;
 
 double squaredDistance(const TargetTriangles& target, Index edge, const Vec3& point)
 {

@@ -21,8 +21,8 @@ namespace evolving
 
 /**
  * Other curves count where they are at the same patch, so not across a wall's thickness, and not
- * where two curves that meet in a corner are near because of that: within three of the distance in
- * question from it.
+ * where two curves that meet in a corner are near because of that: within 2.67 of the distance in
+ * question from it, as they are where they meet at more than 22 degrees.
  */
 class CurveProximity
 {

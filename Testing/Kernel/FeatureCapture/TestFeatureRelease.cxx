@@ -113,12 +113,30 @@ TEST(FeatureRelease, SparesTips)
   EXPECT_EQ(crampedFeatures(free, 33.0, 22.0).size(), 5U);
 }
 
+/// With one of its creases only, to vertex 2.
+EditableSurface pyramidWithOneCrease(Index sides, double angle)
+{
+  EditableSurface surface = creasedPyramid(sides, angle);
+  surface.forEachOutgoing(
+    0, [&](Index e) { surface.setCurve(e, surface.to(e) == 2 ? 0 : NoIndex); });
+  return surface;
+}
+
 TEST(FeatureRelease, SparesNoBluntCorner)
 {
-  const EditableSurface blunt = creasedPyramid(7, 26.0); // 182 degrees in all
-  EXPECT_EQ(crampedFeatures(blunt, 33.0, 22.0).size(), 8U);
-  const EditableSurface tip = creasedPyramid(6, 26.0);
+  const EditableSurface blunt = pyramidWithOneCrease(7, 26.0); // 182 degrees in all
+  EXPECT_EQ(crampedFeatures(blunt, 33.0, 22.0), (std::vector<Index>{ 0, 2 }));
+  const EditableSurface tip = pyramidWithOneCrease(6, 26.0);
   EXPECT_TRUE(crampedFeatures(tip, 33.0, 22.0).empty());
+}
+
+TEST(FeatureRelease, SparesTrianglesThatFillACorner)
+{
+  EditableSurface blunt = creasedPyramid(7, 26.0);
+  EXPECT_TRUE(crampedFeatures(blunt, 33.0, 22.0).empty());
+  EXPECT_EQ(crampedFeatures(blunt, 33.0, 27.0).size(), 8U);
+  blunt.releasePin(0); // then it is no corner
+  EXPECT_EQ(crampedFeatures(blunt, 33.0, 22.0).size(), 8U);
 }
 
 /// Each of the creases at the tip of a pyramid is a curve of its own, number k to vertex 2 + k.

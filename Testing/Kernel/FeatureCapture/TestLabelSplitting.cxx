@@ -184,17 +184,4 @@ TEST_P(CaptureStep, FacesGetALabelOfTheirCorners)
 INSTANTIATE_TEST_SUITE_P(On, CaptureStep, testing::ValuesIn(creasedShapes()),
   [](const testing::TestParamInfo<Shape>& shape) { return shape.param.name; });
 
-TEST(LabelSplitting, PointsGoOntoBordersInReachOnly)
-{
-  const TargetFeatures cube = findFeatures(shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), {});
-  const Index top = cube.closestPoint(Vec3(0.5, 0.5, 2)).label;
-  const Index side = cube.closestPoint(Vec3(2, 0.5, 0.5)).label;
-  const Vec3 near(0.9, 0.4, 1.0);
-  EXPECT_EQ(onBorder(cube, near, top, side, 0.11), Vec3(1.0, 0.4, 1.0));
-  EXPECT_EQ(onBorder(cube, near, side, top, 0.11), Vec3(1.0, 0.4, 1.0));
-  EXPECT_EQ(onBorder(cube, near, top, side, 0.09), near);
-  const Index bottom = cube.closestPoint(Vec3(0.5, 0.5, -1)).label;
-  EXPECT_EQ(onBorder(cube, near, top, bottom, 10.0), near);
-}
-
 } // namespace

@@ -4,6 +4,7 @@
 #include "Features/CreaseSizes.h"
 
 #include "Features/CapturableCreases.h"
+#include "Mesh/Angles.h"
 #include "Shapes/CreasedShapes.h"
 #include "Shapes/MeshVariants.h"
 #include "Shapes/Polyhedra.h"
@@ -71,6 +72,28 @@ TEST(CreaseSizes, DoNotAskForSmallElementsInCorners)
   for (const double t : { 0.01, 0.05, 0.1 })
   {
     EXPECT_EQ(sizes.at(Vec3(t, 0.0, 0.0)), 0.2);
+  }
+}
+
+TEST(CreaseSizes, AreSmallInCornersThatNoElementFills)
+{
+  // Half the width of the corner at a sample, (k + 1/2) / 20 from it, is the smallest that counts.
+  const CreaseSizing sizing = between(0.01, 0.2);
+  for (const double degrees : { 8.0, 15.0, 20.0, 25.0, 40.0 })
+  {
+    const double slope = std::tan(degrees * RadiansPerDegree);
+    const CreaseSizes sizes =
+      sizesOf(extruded({ Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, slope, 0) }, 1.0), sizing);
+    const double width = std::sin(degrees * RadiansPerDegree) * 0.1;
+    if (degrees < 22.0)
+    {
+      EXPECT_NEAR(
+        sizes.at(Vec3(0.1, 0.0, 0.0)), width / sizing.across, 0.3 * width / sizing.across);
+    }
+    else
+    {
+      EXPECT_EQ(sizes.at(Vec3(0.1, 0.0, 0.0)), 0.2) << degrees;
+    }
   }
 }
 

@@ -133,7 +133,7 @@ private:
     {
       const bool isShared = otherCurve.vertices.front() == end || otherCurve.vertices.back() == end;
       isBesideCorner =
-        isBesideCorner || (isShared && (point - this->Target.point(end)).norm() < 3.0 * distance);
+        isBesideCorner || (isShared && (point - this->Target.point(end)).norm() < 2.67 * distance);
     }
     bool isAtSamePatch = false;
     const TriangleEdges& edges = this->Target.edges();

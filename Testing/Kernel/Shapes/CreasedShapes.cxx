@@ -67,6 +67,12 @@ SurfaceMesh wedge()
   return extruded({ Vec3(0, 0, 0), Vec3(1.5, 0, 0), Vec3(0.75, 1.1, 0) }, 1.2);
 }
 
+SurfaceMesh blade(double degrees, double length, double height)
+{
+  const double width = length * std::tan(degrees * RadiansPerDegree);
+  return extruded({ Vec3(0, 0, 0), Vec3(length, 0, 0), Vec3(length, width, 0) }, height);
+}
+
 SurfaceMesh ell()
 {
   return extruded(

@@ -28,6 +28,10 @@ std::vector<Vec3> randomPolygon(std::mt19937& generator);
 /// A prism over a triangle.
 SurfaceMesh wedge();
 
+/// A prism over a triangle with a right angle at (length, 0), and an acute one at the origin: its
+/// edge there is as sharp as a knife.
+SurfaceMesh blade(double degrees, double length, double height);
+
 /// A prism over an L.
 SurfaceMesh ell();
 

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <vector>
 
 namespace
@@ -282,6 +283,30 @@ TEST(WrapFeatures, SpikesKeepTheirTips)
   const Wrapped wrapped(target, options);
   expectSound(wrapped.surface, 0, 1, 22.0);
   EXPECT_LT(checks::hausdorff(wrapped.surface, target, 0.02), 1e-12);
+}
+
+TEST(WrapFeatures, BladesKeepTheirEdges)
+{
+  std::mt19937 generator(5);
+  for (const double degrees : { 8.0, 20.0 })
+  {
+    const Eigen::Matrix3d turn = shapes::randomRotation(generator);
+    const SurfaceMesh target = shapes::mapped(shapes::blade(degrees, 10.0, 4.0), turn);
+    ShrinkWrapOptions options;
+    options.targetNumberOfPoints = 3000;
+    options.preserveFeatures = FeaturePreservation::Automatic;
+    const Wrapped wrapped(target, options);
+    expectSound(wrapped.surface, 0, 1, 20.0);
+    // Without its edge a blade of 8 degrees is shorter by three edges of elements.
+    const double edge = meanEdgeLength(wrapped.surface);
+    const AABBTree result(wrapped.surface);
+    for (double z = 0.8; z <= 3.2; z += 0.05)
+    {
+      EXPECT_LT(std::sqrt(result.closest(turn * Vec3(0, 0, z)).at.squaredDistance), 1e-9)
+        << degrees << " degrees at " << z;
+    }
+    EXPECT_LT(checks::hausdorff(wrapped.surface, target, 0.1), edge) << degrees;
+  }
 }
 
 TEST(WrapFeatures, WhatElementsCannotCarryIsSaid)
