@@ -27,7 +27,7 @@ output="${2:-demo-output}"
 
 echo "== Packages"
 bash "$root/Scripts/install-deps.sh"
-echo "== Build, the first time three to five minutes on two cores"
+echo "== Build, the first time two to five minutes on two cores"
 bash "$root/Scripts/build.sh" release product
 echo "== Shrink wrap"
 package="$(find "$root/build/release" -type d -path '*-packages/evolvingsurfaces' -print -quit)"
