@@ -3,6 +3,8 @@
 
 #include "LabelSurfaces/ElementImprovement.h"
 
+#include "Mesh/Angles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -55,7 +57,7 @@ std::vector<Vec3> ElementImprovement::directions(Index vertex) const
     const Vec3 v = normal.cross(u);
     for (int i = 0; i < 8; ++i)
     {
-      found.emplace_back(std::cos(0.25 * M_PI * i) * u + std::sin(0.25 * M_PI * i) * v);
+      found.emplace_back(std::cos(0.25 * Pi * i) * u + std::sin(0.25 * Pi * i) * v);
     }
   }
   else if (this->Mesh.kind(vertex) == VertexKind::Curve)

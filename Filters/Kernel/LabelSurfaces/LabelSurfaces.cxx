@@ -12,6 +12,7 @@
 #include "LabelSurfaces/NetLimits.h"
 #include "LabelSurfaces/NetSmoothing.h"
 #include "Mesh/FloatPoints.h"
+#include "Mesh/PointWelding.h"
 #include "Mesh/SelfIntersections.h"
 #include "ParallelLoops.h"
 
@@ -39,30 +40,6 @@ SurfaceMesh meshOf(std::vector<Vec3> points, const std::vector<Index>& corners)
     mesh.faceOffsets[face] = static_cast<Index>(3 * face);
   }
   return mesh;
-}
-
-/// Of vertices that others have taken the place of.
-void dropUnusedPoints(SurfaceMesh& mesh)
-{
-  std::vector<Index> numbers(mesh.points.size(), NoIndex);
-  for (const Index vertex : mesh.cornerVertices)
-  {
-    numbers[at(vertex)] = 0;
-  }
-  Index count = 0;
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-  {
-    if (numbers[i] != NoIndex)
-    {
-      mesh.points[at(count)] = mesh.points[i];
-      numbers[i] = count++;
-    }
-  }
-  mesh.points.resize(at(count));
-  for (Index& vertex : mesh.cornerVertices)
-  {
-    vertex = numbers[at(vertex)];
-  }
 }
 
 std::vector<double> voxelCounts(const LabelImage& image)
@@ -207,7 +184,7 @@ private:
     result.labels = std::move(closed.labels);
     result.others = std::move(closed.others);
     result.interfaces = meshOf(std::move(places), triangles.corners);
-    dropUnusedPoints(result.interfaces);
+    dropUnusedPoints(result.interfaces); // of vertices that others have taken the place of
     result.sides.resize(triangles.quads.size());
     forEachIndex(this->Run, triangles.count(),
       [&](Index i) { result.sides[at(i)] = this->Net.quads[at(triangles.quads[at(i)])].sides; });

@@ -3,6 +3,8 @@
 
 #include "LabelSurfaces/SheetEnds.h"
 
+#include "Mesh/Angles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -16,8 +18,8 @@ namespace
 /// A sheet's vertices are looked for up to this many radii away, where few are left to count.
 constexpr double RadiiAway = 2.0;
 /// Sheets meet smoothly below the first of these angles, and do not above the other.
-const double CosineOfSmooth = std::cos(20.0 * M_PI / 180.0);
-const double CosineOfEdge = std::cos(35.0 * M_PI / 180.0);
+const double CosineOfSmooth = std::cos(20.0 * RadiansPerDegree);
+const double CosineOfEdge = std::cos(35.0 * RadiansPerDegree);
 /// Of planes farther away, in voxels, nothing is to be learnt.
 constexpr double MostOffset = 2.0;
 

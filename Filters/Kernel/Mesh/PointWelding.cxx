@@ -40,36 +40,6 @@ bool hasRepeatedVertex(std::vector<Index> vertices)
   return std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
 }
 
-/// Gives the vertices that faces use consecutive numbers in their old order.
-void dropUnusedPoints(
-  const std::vector<Vec3>& points, SurfaceMesh& mesh, std::vector<Index>* oldVertex)
-{
-  std::vector<Index> number(points.size(), NoIndex);
-  for (const Index vertex : mesh.cornerVertices)
-  {
-    number[at(vertex)] = 0;
-  }
-  if (oldVertex)
-  {
-    oldVertex->clear();
-  }
-  for (std::size_t v = 0; v < points.size(); ++v)
-  {
-    if (number[v] != NoIndex)
-    {
-      number[v] = mesh.addPoint(points[v]);
-      if (oldVertex)
-      {
-        oldVertex->push_back(static_cast<Index>(v));
-      }
-    }
-  }
-  for (Index& vertex : mesh.cornerVertices)
-  {
-    vertex = number[at(vertex)];
-  }
-}
-
 } // namespace
 
 std::vector<Index> firstOfEqualPoints(const std::vector<Vec3>& points, std::vector<Index> among)
@@ -130,6 +100,26 @@ std::vector<Index> usedVertices(const SurfaceMesh& mesh)
   return vertices;
 }
 
+void dropUnusedPoints(SurfaceMesh& mesh, std::vector<Index>* oldVertex)
+{
+  std::vector<Index> used = usedVertices(mesh);
+  std::vector<Index> number(mesh.points.size(), NoIndex);
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    number[at(used[i])] = static_cast<Index>(i);
+    mesh.points[i] = mesh.points[at(used[i])];
+  }
+  mesh.points.resize(used.size());
+  for (Index& vertex : mesh.cornerVertices)
+  {
+    vertex = number[at(vertex)];
+  }
+  if (oldVertex)
+  {
+    *oldVertex = std::move(used);
+  }
+}
+
 SurfaceMesh weldCoincidentPoints(
   const SurfaceMesh& mesh, std::vector<Index>* oldVertex, std::vector<Index>* oldFace)
 {
@@ -160,7 +150,8 @@ SurfaceMesh joinVertices(const SurfaceMesh& mesh, const std::vector<Index>& firs
       }
     }
   }
-  dropUnusedPoints(mesh.points, welded, oldVertex);
+  welded.points = mesh.points;
+  dropUnusedPoints(welded, oldVertex);
   return welded;
 }
 

@@ -35,6 +35,10 @@ std::vector<Index> vertexOfEachPoint(
 /// The vertices that faces use, in ascending order.
 std::vector<Index> usedVertices(const SurfaceMesh& mesh);
 
+/// Gives those consecutive numbers, and drops the points that no face uses.
+/// @param[out] oldVertex when not null, for every new vertex its old number
+void dropUnusedPoints(SurfaceMesh& mesh, std::vector<Index>* oldVertex = nullptr);
+
 /**
  * As weldCoincidentPoints() does, for points that are to be one.
  * @param first of every vertex that a face uses, the smallest one that it is to be one with

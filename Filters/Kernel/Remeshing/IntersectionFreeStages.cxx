@@ -150,7 +150,7 @@ StageRuns runWithoutIntersections(EditableSurface& surface, const RemeshingStage
 {
   EditableSurface before = surface;
   StageRuns runs;
-  std::ptrdiff_t first = 0;
+  std::ptrdiff_t faultsAtFirst = 0;
   for (int run = 1; run <= MostRuns; ++run)
   {
     stage(surface);
@@ -170,9 +170,9 @@ StageRuns runWithoutIntersections(EditableSurface& surface, const RemeshingStage
       surface.releaseLocks();
       return runs;
     }
-    first = run == 1 ? faults.count() : first;
+    faultsAtFirst = run == 1 ? faults.count() : faultsAtFirst;
     runs.place = faults.place();
-    const bool isInVain = run > 1 && pairs.empty() && faults.count() >= first;
+    const bool isInVain = run > 1 && pairs.empty() && faults.count() >= faultsAtFirst;
     lockAround(before, faults.faces(), run * LockedSizes);
     surface = before;
     if (isInVain)
