@@ -6,10 +6,9 @@
 #include "DataChecks.h"
 #include "EventLog.h"
 #include "FilterRuns.h"
+#include "LabelImages.h"
 #include "SurfaceMeasures.h"
 
-#include "vtkCell.h"
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -22,93 +21,12 @@
 #include "vtkPolyData.h"
 #include "vtkShortArray.h"
 #include "vtkSmartPointer.h"
-#include "vtkSurfaceEvolution.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <string>
 #include <vector>
-
-namespace
-{
-
-constexpr double Spacing[3] = { 0.5, 0.5, 1.25 };
-constexpr double Origin[3] = { -10.0, 20.0, 5.0 };
-
-using Image = vtkSmartPointer<vtkImageData>;
-
-//------------------------------------------------------------------------------
-/// An image of a function of place, relative to the middle, in units of x.
-Image LabelImage(vtkDataArray* array, const std::function<double(double, double, double)>& label)
-{
-  const auto image = Image::New();
-  image->SetExtent(3, 34, -2, 29, 0, 13);
-  image->SetSpacing(Spacing);
-  image->SetOrigin(Origin);
-  array->SetName("Segmentation");
-  array->SetNumberOfTuples(image->GetNumberOfPoints());
-  double center[3];
-  image->GetCenter(center);
-  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    image->GetPoint(i, p);
-    array->SetComponent(
-      i, 0, label(p[0] - center[0] - 0.1, p[1] - center[1] - 0.07, p[2] - center[2] - 0.03));
-  }
-  image->GetPointData()->SetScalars(array);
-  return image;
-}
-
-//------------------------------------------------------------------------------
-/// A ball of two halves, 5 and 9, in -1.
-Image Halves()
-{
-  return LabelImage(vtkNew<vtkShortArray>(),
-    [](double x, double y, double z) {
-      return std::hypot(x, y, z) > 5.5 ? -1.0 : x + 0.5 * y + 0.2 * z < 0.4 ? 5.0 : 9.0;
-    });
-}
-
-//------------------------------------------------------------------------------
-Image Ball()
-{
-  return LabelImage(vtkNew<vtkShortArray>(),
-    [](double x, double y, double z) { return std::hypot(x, y, z) > 5.5 ? 0.0 : 1.0; });
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkLabelSurfaces> FilterOf(vtkImageData* image, double background = 0.0)
-{
-  auto filter = vtkSmartPointer<vtkLabelSurfaces>::New();
-  filter->SetInputData(image);
-  filter->SetBackgroundLabel(background);
-  return filter;
-}
-
-//------------------------------------------------------------------------------
-/// The triangles of a label, with all points.
-vtkSmartPointer<vtkPolyData> SurfaceOf(vtkLabelSurfaces* filter, double label)
-{
-  filter->Update();
-  vtkPolyData* all = filter->GetOutput();
-  const auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->SetPoints(all->GetPoints());
-  vtkNew<vtkCellArray> triangles;
-  for (vtkIdType cell = 0; cell < all->GetNumberOfCells(); ++cell)
-  {
-    if (all->GetCellData()->GetArray("Label")->GetComponent(cell, 0) == label)
-    {
-      triangles->InsertNextCell(all->GetCell(cell));
-    }
-  }
-  surface->SetPolys(triangles);
-  return surface;
-}
-
-} // namespace
 
 //------------------------------------------------------------------------------
 TEST(LabelSurfaces, EveryLabelHasAClosedSurface)
@@ -187,60 +105,6 @@ TEST(LabelSurfaces, ChosenLabelsAlone)
   filter->RemoveAllLabels();
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("LabelValue")->GetNumberOfTuples(), 2);
-}
-
-//------------------------------------------------------------------------------
-TEST(LabelSurfaces, OneOfThemGoesIntoAnEvolution)
-{
-  const auto surface = SurfaceOf(FilterOf(Ball()), 1.0);
-  vtkNew<vtkSurfaceEvolution> evolution;
-  evolution->SetInputData(surface);
-  evolution->SetFlowToSurfaceDiffusion();
-  evolution->SetNumberOfSteps(1);
-  EventLog log(evolution);
-  evolution->Update();
-  EXPECT_TRUE(log.Errors.empty()) << log.Errors.front();
-  EXPECT_EQ(CountBadEdges(evolution->GetOutput()), 0);
-  EXPECT_NEAR(VolumeOf(evolution->GetOutput()), VolumeOf(surface), 1e-3 * VolumeOf(surface));
-}
-
-//------------------------------------------------------------------------------
-/// Two boxes of one label that have an edge of voxels, or a corner, in common.
-Image TouchingBoxes(double shift)
-{
-  return LabelImage(vtkNew<vtkShortArray>(),
-    [=](double x, double y, double z)
-    {
-      const auto isIn = [](double a, double b, double c)
-      { return a > 0.0 && a < 5.0 && b > 0.0 && b < 5.0 && c > 0.0 && c < 6.2; };
-      return isIn(x, y, z) || isIn(x + 5.0, y + 5.0, z + shift) ? 1.0 : 0.0;
-    });
-}
-
-//------------------------------------------------------------------------------
-/// Expects that a flow that holds volumes can be made of all surfaces of a filter at once.
-void ExpectEvolutionOf(vtkLabelSurfaces* filter)
-{
-  filter->Update();
-  vtkNew<vtkSurfaceEvolution> evolution;
-  evolution->SetInputConnection(filter->GetOutputPort());
-  evolution->VolumePreservingOn();
-  evolution->SetNumberOfSteps(2);
-  EventLog log(evolution);
-  evolution->Update();
-  EXPECT_TRUE(log.Errors.empty()) << log.Errors.front();
-  vtkPolyData* input = filter->GetOutput();
-  EXPECT_EQ(CountBadEdges(evolution->GetOutput()), 0);
-  EXPECT_NEAR(VolumeOf(evolution->GetOutput()), VolumeOf(input), 1e-3 * VolumeOf(input));
-  EXPECT_LT(AreaOf(evolution->GetOutput()), AreaOf(input));
-}
-
-//------------------------------------------------------------------------------
-TEST(LabelSurfaces, AllGoIntoAnEvolutionThoughTheyTouch)
-{
-  ExpectEvolutionOf(FilterOf(Halves(), -1.0));
-  ExpectEvolutionOf(FilterOf(TouchingBoxes(0.0)));
-  ExpectEvolutionOf(FilterOf(TouchingBoxes(6.2)));
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include "Remeshing/ElementRepair.h"
 #include "Remeshing/FaceShape.h"
 #include "Remeshing/PeakFit.h"
+#include "Remeshing/Relaxation.h"
 #include "Remeshing/Remeshing.h"
 #include "Remeshing/SizingField.h"
 #include "Remeshing/StarOptimization.h"
@@ -37,6 +38,29 @@ SurfaceMesh meshOf(const EditableSurface& surface, const std::vector<Index>& fac
 }
 
 } // namespace
+
+void FinishSteps::land(EditableSurface& surface) const
+{
+  evolving::land(surface, this->Reference, this->Run);
+}
+
+void FinishSteps::landOften(EditableSurface& surface) const
+{
+  for (int round = 0; round < this->Tuning.landingRounds; ++round)
+  {
+    this->land(surface);
+  }
+}
+
+void FinishSteps::settle(
+  EditableSurface& surface, const std::function<bool(const Vec3&)>& isAtWall) const
+{
+  for (int round = 0; round < this->Tuning.settleRounds; ++round)
+  {
+    landWhere(surface, this->Reference, isAtWall, this->Run);
+    this->improve(surface);
+  }
+}
 
 void FinishSteps::remesh(EditableSurface& surface, int passes) const
 {

@@ -17,6 +17,9 @@
 #include "ShrinkWrap/WrapTarget.h"
 #include "ShrinkWrap/WrapTuning.h"
 
+#include <functional>
+#include <vector>
+
 namespace evolving
 {
 
@@ -34,6 +37,15 @@ public:
   {
   }
 
+  /// Stops and follows the steps.
+  const Execution& execution() const { return this->Run; }
+
+  /// All vertices onto the reference.
+  void land(EditableSurface& surface) const;
+  /// In valleys another place of the target is nearer than the one that a vertex has left.
+  void landOften(EditableSurface& surface) const;
+  /// At rims of walls, rounder than elements can be, the fit lifts vertices off: back they go.
+  void settle(EditableSurface& surface, const std::function<bool(const Vec3&)>& isAtWall) const;
   /// Passes of remeshOnce().
   void remesh(EditableSurface& surface, int passes) const;
   /// Sizes follow the curvature, with as many vertices as of one size.

@@ -57,49 +57,55 @@ public:
 
   FinishedWrap run()
   {
-    this->stage(0.0, 0.05, &Finish::land);
-    this->stage(0.05, 0.2, &Finish::remesh);
+    this->stage(0.0, 0.05, &FinishSteps::land);
+    this->stage(0.05, 0.2,
+      this->remeshing(
+        this->canCapture() ? this->Tuning.passesBeforeCapture : this->Tuning.uniformPasses));
     if (this->canCapture())
     {
       this->captureOrLeave();
     }
     if (this->Options.adaptToCurvature)
     {
-      this->stage(0.3, 0.5, &Finish::adapt,
+      this->stage(0.3, 0.5, &FinishSteps::remeshByCurvature,
         [this](EditableSurface& surface, const RemeshingStage& adapt, const Execution& now)
         {
           this->Adaptation =
             runWithoutIntersections(surface, adapt, now, this->Tuning.leastAngleOfAdapted);
         });
     }
-    this->stage(0.5, 0.6, &Finish::polish);
-    this->stage(0.6, 0.75, &Finish::fitAlong);
-    this->stage(0.75, 0.8, &Finish::fitUpright, moveWithoutIntersections);
-    this->stage(0.8, 0.85, &Finish::repair);
+    this->stage(0.5, 0.6, &FinishSteps::polish);
+    this->stage(0.6, 0.75,
+      [this](const FinishSteps& steps, EditableSurface& surface)
+      { steps.fitAlong(surface, this->inertia()); });
+    this->stage(0.75, 0.8, &FinishSteps::fitUpright, moveWithoutIntersections);
+    this->stage(0.8, 0.85, &FinishSteps::repair);
     for (; this->EasingRound <= this->Tuning.releaseRounds + 1 && this->isCramped();
          ++this->EasingRound)
     {
-      this->stage(0.85, 0.85, &Finish::ease);
-      this->stage(0.85, 0.9, &Finish::repair);
+      this->stage(0.85, 0.85,
+        [this](const FinishSteps& steps, EditableSurface& surface)
+        { steps.easeCreases(surface, this->Worth, this->EasingRound, this->inertia()); });
+      this->stage(0.85, 0.9, &FinishSteps::repair);
     }
     for (int round = 0; round < MostMendings && this->hasSlivers(); ++round)
     {
-      this->stage(0.9, 0.9, &Finish::mend);
-      this->stage(0.9, 0.9, &Finish::repair);
+      this->stage(0.9, 0.9, &FinishSteps::mend);
+      this->stage(0.9, 0.9, &FinishSteps::repair);
     }
     if (this->IsOnTarget)
     {
-      this->stage(0.9, 0.95, &Finish::reachPeaks, moveWithoutIntersections);
+      this->reachPeaks();
     }
     else
     {
-      this->stage(0.9, 0.95, &Finish::settle, moveWithoutIntersections);
+      this->settle();
     }
     this->repairOrLeave();
     if (this->Offset > 0.0)
     {
-      this->stage(1.0, 1.0, &Finish::landOften,
-        moveWithoutIntersections); // the offset is a promise for vertices
+      // The offset is a promise for vertices.
+      this->stage(1.0, 1.0, &FinishSteps::landOften, moveWithoutIntersections);
     }
     return { this->Surface.mesh(), this->coverage(), this->Adaptation };
   }
@@ -111,7 +117,7 @@ private:
   {
     const EditableSurface before = this->Surface;
     const bool hadSlivers = this->hasSlivers();
-    this->stage(0.95, 1.0, &Finish::repair);
+    this->stage(0.95, 1.0, &FinishSteps::repair);
     if (!hadSlivers && this->hasSlivers())
     {
       this->Surface = before;
@@ -123,12 +129,17 @@ private:
   {
     if (this->IsOnTarget && !this->Features->tips().empty())
     {
-      this->stage(0.2, 0.2, &Finish::reachTips, moveWithoutIntersections);
+      this->reachTips();
     }
     const EditableSurface before = this->Surface;
     this->OnFeatures.emplace(this->Reference, *this->Features,
       this->Tuning.reachSizes * this->Target.shortestElement(), this->Run.phase(0.2, 0.2));
-    this->stage(0.2, 0.3, &Finish::capture);
+    this->stage(0.2, 0.3,
+      [this](const FinishSteps& steps, EditableSurface& surface)
+      {
+        captureFeatures(surface, *this->Features, steps.execution());
+        steps.remesh(surface, this->Tuning.capturePasses);
+      });
     const double volume = signedVolume(before.mesh());
     if (signedVolume(this->Surface.mesh()) < this->Tuning.leastVolumeAfterCapture * volume)
     {
@@ -137,7 +148,7 @@ private:
     }
   }
 
-  using Work = void (Finish::*)(EditableSurface&, const Execution&) const;
+  using Work = std::function<void(const FinishSteps&, EditableSurface&)>;
 
   /// What undoes a stage where it makes intersections.
   using Guard = std::function<void(EditableSurface&, const RemeshingStage&, const Execution&)>;
@@ -148,12 +159,12 @@ private:
     runWithoutIntersections(surface, stage, now);
   }
 
-  void stage(double from, double to, Work work, const Guard& guard = runGuarded)
+  void stage(double from, double to, const Work& work, const Guard& guard = runGuarded)
   {
     this->Run.phase(from, to).report(0.0);
     const Execution now = this->Run.phase(from, from); // parts run again and again
     guard(
-      this->Surface, [&](EditableSurface& surface) { (this->*work)(surface, now); }, now);
+      this->Surface, [&](EditableSurface& surface) { work(this->steps(now), surface); }, now);
   }
 
   /// Without creases nothing may change.
@@ -179,55 +190,15 @@ private:
                           : FeatureCoverage{};
   }
 
-  void land(EditableSurface& surface, const Execution& now) const
+  static Work remeshing(int passes)
   {
-    evolving::land(surface, this->reference(), now);
-  }
-
-  /// In valleys another place of the target is nearer than the one that a vertex has left.
-  void landOften(EditableSurface& surface, const Execution& now) const
-  {
-    for (int round = 0; round < this->Tuning.landingRounds; ++round)
-    {
-      this->land(surface, now);
-    }
-  }
-
-  void remesh(EditableSurface& surface, const Execution& now) const
-  {
-    this->steps(now).remesh(
-      surface, this->canCapture() ? this->Tuning.passesBeforeCapture : this->Tuning.uniformPasses);
-  }
-
-  void capture(EditableSurface& surface, const Execution& now) const
-  {
-    captureFeatures(surface, *this->Features, now);
-    this->steps(now).remesh(surface, this->Tuning.capturePasses);
+    return [passes](const FinishSteps& steps, EditableSurface& surface)
+    { steps.remesh(surface, passes); };
   }
 
   bool isCramped() const
   {
     return this->OnFeatures && !crampedFaces(this->Surface, this->Worth).empty();
-  }
-
-  void ease(EditableSurface& surface, const Execution& now) const
-  {
-    this->steps(now).easeCreases(surface, this->Worth, this->EasingRound, this->inertia());
-  }
-
-  void adapt(EditableSurface& surface, const Execution& now) const
-  {
-    this->steps(now).remeshByCurvature(surface);
-  }
-
-  void polish(EditableSurface& surface, const Execution& now) const
-  {
-    this->steps(now).polish(surface);
-  }
-
-  void fitAlong(EditableSurface& surface, const Execution& now) const
-  {
-    this->steps(now).fitAlong(surface, this->inertia());
   }
 
   double inertia() const
@@ -236,50 +207,39 @@ private:
                                           : this->Tuning.uniformInertia;
   }
 
-  void fitUpright(EditableSurface& surface, const Execution& now) const
-  {
-    this->steps(now).fitUpright(surface);
-  }
-
-  void repair(EditableSurface& surface, const Execution& now) const
-  {
-    this->steps(now).repair(surface);
-  }
-
   bool hasSlivers() const { return this->steps(this->Run).hasSlivers(this->Surface); }
 
-  void mend(EditableSurface& surface, const Execution& now) const
-  {
-    this->steps(now).mend(surface);
-  }
-
-  void reachPeaks(EditableSurface& surface, const Execution& now) const
+  void reachPeaks()
   {
     const double leastAngle = this->Options.adaptToCurvature ? this->Tuning.leastAdaptedAngle
                                                              : this->Tuning.leastUniformAngle;
-    this->steps(now).reachPeaks(surface, this->Reference.visible(), leastAngle);
+    this->stage(
+      0.9, 0.95,
+      [&](const FinishSteps& steps, EditableSurface& surface)
+      { steps.reachPeaks(surface, this->Reference.visible(), leastAngle); },
+      moveWithoutIntersections);
   }
 
-  void reachTips(EditableSurface& surface, const Execution& now) const
+  void reachTips()
   {
     std::vector<Vec3> tips;
     for (const Index tip : this->Features->tips())
     {
       tips.push_back(this->Features->target().point(tip));
     }
-    this->steps(now).reachTips(surface, tips);
+    this->stage(
+      0.2, 0.2,
+      [&](const FinishSteps& steps, EditableSurface& surface) { steps.reachTips(surface, tips); },
+      moveWithoutIntersections);
   }
 
-  /// At rims of walls, rounder than elements can be, the fit lifts vertices off: back they go.
-  void settle(EditableSurface& surface, const Execution& now) const
+  void settle()
   {
-    for (int round = 0; round < this->Tuning.settleRounds; ++round)
-    {
-      landWhere(
-        surface, this->reference(), [this](const Vec3& p) { return this->Reference.isAtSheet(p); },
-        now);
-      this->steps(now).improve(surface);
-    }
+    const auto isAtSheet = [this](const Vec3& p) { return this->Reference.isAtSheet(p); };
+    this->stage(
+      0.9, 0.95,
+      [&](const FinishSteps& steps, EditableSurface& surface) { steps.settle(surface, isAtSheet); },
+      moveWithoutIntersections);
   }
 
   EditableSurface Surface;
