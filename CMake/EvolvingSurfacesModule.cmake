@@ -35,6 +35,8 @@ vtk_module_build(
   MODULES ${evolvingsurfaces_modules}
   PACKAGE EvolvingSurfaces
   INSTALL_EXPORT EvolvingSurfaces
+  VERSION "${PROJECT_VERSION}"
+  SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}"
   HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/EvolvingSurfaces"
   TEST_DIRECTORY_NAME NONE)
 
