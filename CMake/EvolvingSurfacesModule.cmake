@@ -65,7 +65,8 @@ set(evolvingsurfaces_package "${CMAKE_BINARY_DIR}/${EVOLVINGSURFACES_PYTHON_DIR}
 configure_file(
   "${CMAKE_SOURCE_DIR}/Filters/Python/__init__.py.in" "${evolvingsurfaces_package}/__init__.py" @ONLY)
 install(FILES "${evolvingsurfaces_package}/__init__.py"
-  DESTINATION "${EVOLVINGSURFACES_PYTHON_DIR}/evolvingsurfaces")
+  DESTINATION "${EVOLVINGSURFACES_PYTHON_DIR}/evolvingsurfaces"
+  COMPONENT python)
 
 if (EVOLVINGSURFACES_USE_PARAVIEW)
   paraview_plugin_scan(
@@ -80,6 +81,7 @@ if (EVOLVINGSURFACES_USE_PARAVIEW)
   endif ()
   paraview_plugin_build(
     PLUGINS ${evolvingsurfaces_plugins}
+    PLUGINS_COMPONENT plugin
     PLUGINS_FILE_NAME "evolvingsurfaces.plugins.xml"
     ${evolvingsurfaces_no_help})
 endif ()
@@ -92,3 +94,4 @@ if (TARGET EvolvingSurfaces)
 endif ()
 
 include(EvolvingSurfacesPackage)
+include(EvolvingSurfacesDebian)

@@ -19,6 +19,8 @@ needed_packages=(
   libogg-dev libtheora-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
   # a display for rendering
   xvfb xauth
+  # what cpack makes Debian packages with
+  dpkg-dev file
 )
 # What it looks for of Qt, and the tool for the plugin's help pages: ParaView 5.11 and 5.13.
 qt5_packages=(qtbase5-dev qttools5-dev libqt5svg5-dev libqt5opengl5-dev qtxmlpatterns5-dev-tools)
