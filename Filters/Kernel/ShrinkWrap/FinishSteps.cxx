@@ -9,6 +9,7 @@
 #include "Remeshing/PeakFit.h"
 #include "Remeshing/Relaxation.h"
 #include "Remeshing/Remeshing.h"
+#include "Remeshing/RidgeFairing.h"
 #include "Remeshing/SizingField.h"
 #include "Remeshing/StarOptimization.h"
 #include "Remeshing/SurfaceFit.h"
@@ -58,6 +59,14 @@ void FinishSteps::settle(
   for (int round = 0; round < this->Tuning.settleRounds; ++round)
   {
     landWhere(surface, this->Reference, isAtWall, this->Run);
+    this->improve(surface);
+  }
+}
+
+void FinishSteps::fairRidges(EditableSurface& surface) const
+{
+  if (evolving::fairRidges(surface, this->Reference, {}, this->Run) > 0)
+  {
     this->improve(surface);
   }
 }

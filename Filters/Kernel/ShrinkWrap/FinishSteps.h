@@ -46,6 +46,8 @@ public:
   void landOften(EditableSurface& surface) const;
   /// At rims of walls, rounder than elements can be, the fit lifts vertices off: back they go.
   void settle(EditableSurface& surface, const std::function<bool(const Vec3&)>& isAtWall) const;
+  /// Ridges that lie on no crease become no saw teeth; then elements recover.
+  void fairRidges(EditableSurface& surface) const;
   /// Passes of remeshOnce().
   void remesh(EditableSurface& surface, int passes) const;
   /// Sizes follow the curvature, with as many vertices as of one size.

@@ -102,6 +102,10 @@ public:
       this->settle();
     }
     this->repairOrLeave();
+    if (this->hasWallsWithRidges())
+    {
+      this->stage(1.0, 1.0, &FinishSteps::fairRidges, moveWithoutIntersections);
+    }
     if (this->Offset > 0.0)
     {
       // The offset is a promise for vertices.
@@ -165,6 +169,12 @@ private:
     const Execution now = this->Run.phase(from, from); // parts run again and again
     guard(
       this->Surface, [&](EditableSurface& surface) { work(this->steps(now), surface); }, now);
+  }
+
+  /// A wall stands off its sheet, and off the creases of that, which cannot be captured.
+  bool hasWallsWithRidges() const
+  {
+    return this->Features && this->Reference.hasSheets() && !this->Reference.hasOffset();
   }
 
   /// Without creases nothing may change.
