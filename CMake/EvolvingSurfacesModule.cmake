@@ -3,6 +3,13 @@
 # One shared module serves the plugin, Python imports and the C++ tests: two copies of a class in
 # one process would not recognise each other's objects.
 
+option(EVOLVINGSURFACES_WHEEL
+  "Lay the installation out as a Python wheel beside VTK's own; pyproject.toml sets it." OFF)
+set(evolvingsurfaces_library_version
+  VERSION "${PROJECT_VERSION}" SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
+if (EVOLVINGSURFACES_WHEEL)
+  include(WheelLayout)
+endif ()
 include(GNUInstallDirs)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
@@ -35,8 +42,7 @@ vtk_module_build(
   MODULES ${evolvingsurfaces_modules}
   PACKAGE EvolvingSurfaces
   INSTALL_EXPORT EvolvingSurfaces
-  VERSION "${PROJECT_VERSION}"
-  SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}"
+  ${evolvingsurfaces_library_version}
   HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/EvolvingSurfaces"
   TEST_DIRECTORY_NAME NONE)
 
@@ -65,8 +71,16 @@ set(evolvingsurfaces_package "${CMAKE_BINARY_DIR}/${EVOLVINGSURFACES_PYTHON_DIR}
 configure_file(
   "${CMAKE_SOURCE_DIR}/Filters/Python/__init__.py.in" "${evolvingsurfaces_package}/__init__.py" @ONLY)
 install(FILES "${evolvingsurfaces_package}/__init__.py"
-  DESTINATION "${EVOLVINGSURFACES_PYTHON_DIR}/evolvingsurfaces"
-  COMPONENT python)
+  DESTINATION "${EVOLVINGSURFACES_PYTHON_DIR}/evolvingsurfaces" COMPONENT python)
+# By which Python's tools know name and version; what builds a wheel writes its own.
+if (NOT EVOLVINGSURFACES_WHEEL)
+  configure_file(
+    "${CMAKE_SOURCE_DIR}/Filters/Python/METADATA.in"
+    "${evolvingsurfaces_package}-${PROJECT_VERSION}.dist-info/METADATA" @ONLY)
+  install(FILES "${evolvingsurfaces_package}-${PROJECT_VERSION}.dist-info/METADATA"
+    DESTINATION "${EVOLVINGSURFACES_PYTHON_DIR}/evolvingsurfaces-${PROJECT_VERSION}.dist-info"
+    COMPONENT python)
+endif ()
 
 if (EVOLVINGSURFACES_USE_PARAVIEW)
   paraview_plugin_scan(
@@ -93,5 +107,7 @@ if (TARGET EvolvingSurfaces)
   add_dependencies(product EvolvingSurfaces)
 endif ()
 
-include(EvolvingSurfacesPackage)
-include(EvolvingSurfacesDebian)
+if (NOT EVOLVINGSURFACES_WHEEL)
+  include(EvolvingSurfacesPackage)
+  include(EvolvingSurfacesDebian)
+endif ()
