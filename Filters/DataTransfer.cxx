@@ -14,6 +14,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace DataTransfer
 {
@@ -41,13 +42,16 @@ void CopyTuples(
   vtkDataSetAttributes* from, const std::vector<vtkIdType>& ids, vtkDataSetAttributes* to)
 {
   const auto count = static_cast<vtkIdType>(ids.size());
-  vtkNew<vtkIdList> list;
-  list->SetNumberOfIds(count);
-  std::copy(ids.begin(), ids.end(), list->GetPointer(0));
+  vtkNew<vtkIdList> sources;
+  sources->SetNumberOfIds(count);
+  std::copy(ids.begin(), ids.end(), sources->GetPointer(0));
+  vtkNew<vtkIdList> places;
+  places->SetNumberOfIds(count);
+  std::iota(places->GetPointer(0), places->GetPointer(0) + count, vtkIdType{ 0 });
   const auto copied = vtk::TakeSmartPointer(from->NewInstance());
   copied->CopyAllOn();
   copied->CopyAllocate(from, count);
-  copied->CopyData(from, list);
+  copied->CopyData(from, sources, places);
   AddAll(copied, to);
 }
 

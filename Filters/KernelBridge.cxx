@@ -3,6 +3,7 @@
 
 #include "KernelBridge.h"
 
+#include "AbortFlag.h"
 #include "KernelThreads.h"
 
 #include "vtkAlgorithm.h"
@@ -11,7 +12,6 @@
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkVersionMacros.h"
 
 #include <vtksys/SystemInformation.hxx>
 
@@ -31,21 +31,11 @@ namespace
 {
 
 //------------------------------------------------------------------------------
-bool AbortRequested(vtkAlgorithm* filter)
-{
-#if VTK_VERSION_NUMBER >= 90220230111ULL
-  return filter->CheckAbort();
-#else
-  return filter->GetAbortExecute() != 0;
-#endif
-}
-
-//------------------------------------------------------------------------------
 evolving::Execution ExecutionOf(vtkAlgorithm* filter)
 {
   return evolving::Execution(
     KernelThreads::For, [filter](double fraction) { filter->UpdateProgress(fraction); },
-    [filter]() { return AbortRequested(filter); });
+    [filter]() { return AbortFlag::IsSet(filter); });
 }
 
 //------------------------------------------------------------------------------
@@ -60,6 +50,7 @@ void SayOutOfMemory(vtkAlgorithm* filter)
 //------------------------------------------------------------------------------
 Outcome Run(vtkAlgorithm* filter, const std::function<void(const evolving::Execution&)>& work)
 {
+  AbortFlag::Restore(filter);
   try
   {
     KernelThreads::With([&]() { work(ExecutionOf(filter)); });

@@ -3,6 +3,7 @@
 
 #include "vtkDistanceHierarchy.h"
 
+#include "AbortFlag.h"
 #include "DistributedInput.h"
 #include "KernelBridge.h"
 
@@ -156,6 +157,7 @@ void vtkDistanceHierarchy::SetSampleDimensions(const int dimensions[3])
 //------------------------------------------------------------------------------
 int vtkDistanceHierarchy::ModifyRequest(vtkInformation* request, int when)
 {
+  AbortFlag::Keep(this, request, when);
   this->WholeInput->Exchange(this, request, when);
   return this->Superclass::ModifyRequest(request, when);
 }

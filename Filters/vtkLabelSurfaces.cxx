@@ -3,6 +3,7 @@
 
 #include "vtkLabelSurfaces.h"
 
+#include "AbortFlag.h"
 #include "ImageArray.h"
 #include "KernelBridge.h"
 #include "LabelOutput.h"
@@ -70,6 +71,13 @@ int vtkLabelSurfaces::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkLabelSurfaces::ModifyRequest(vtkInformation* request, int when)
+{
+  AbortFlag::Keep(this, request, when);
+  return this->Superclass::ModifyRequest(request, when);
 }
 
 //------------------------------------------------------------------------------

@@ -94,6 +94,7 @@ protected:
   ~vtkLabelSurfaces() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int ModifyRequest(vtkInformation* request, int when) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

@@ -3,6 +3,7 @@
 
 #include "vtkMeshSDF.h"
 
+#include "AbortFlag.h"
 #include "DistanceImage.h"
 #include "DistributedInput.h"
 #include "KernelBridge.h"
@@ -142,6 +143,7 @@ int vtkMeshSDF::RequestInformation(
 //------------------------------------------------------------------------------
 int vtkMeshSDF::ModifyRequest(vtkInformation* request, int when)
 {
+  AbortFlag::Keep(this, request, when);
   this->WholeInput->Exchange(this, request, when);
   return this->Superclass::ModifyRequest(request, when);
 }

@@ -3,6 +3,7 @@
 
 #include "vtkShrinkWrap.h"
 
+#include "AbortFlag.h"
 #include "CarriedArrays.h"
 #include "ClosestElements.h"
 #include "DataTransfer.h"
@@ -122,6 +123,7 @@ int vtkShrinkWrap::RequestInformation(
 //------------------------------------------------------------------------------
 int vtkShrinkWrap::ModifyRequest(vtkInformation* request, int when)
 {
+  AbortFlag::Keep(this, request, when);
   this->WholeInput->Exchange(this, request, when);
   return this->Superclass::ModifyRequest(request, when);
 }

@@ -3,6 +3,7 @@
 
 #include "vtkSurfaceEvolution.h"
 
+#include "AbortFlag.h"
 #include "CarriedArrays.h"
 #include "DataTransfer.h"
 #include "DistributedInput.h"
@@ -155,6 +156,7 @@ int vtkSurfaceEvolution::RequestInformation(
 //------------------------------------------------------------------------------
 int vtkSurfaceEvolution::ModifyRequest(vtkInformation* request, int when)
 {
+  AbortFlag::Keep(this, request, when);
   this->WholeInput->Exchange(this, request, when);
   return this->Superclass::ModifyRequest(request, when);
 }

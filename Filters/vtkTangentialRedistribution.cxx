@@ -3,6 +3,7 @@
 
 #include "vtkTangentialRedistribution.h"
 
+#include "AbortFlag.h"
 #include "CarriedArrays.h"
 #include "DistributedInput.h"
 #include "EvolutionOutput.h"
@@ -69,6 +70,7 @@ evolving::SurfaceRedistributionOptions vtkTangentialRedistribution::Options() co
 //------------------------------------------------------------------------------
 int vtkTangentialRedistribution::ModifyRequest(vtkInformation* request, int when)
 {
+  AbortFlag::Keep(this, request, when);
   this->WholeInput->Exchange(this, request, when);
   return this->Superclass::ModifyRequest(request, when);
 }

@@ -97,6 +97,22 @@ TEST_P(LongRun, AfterAnAbortTheFullResultIsThere)
   EXPECT_TRUE(SameOutputs(undisturbed, filter));
 }
 
+TEST_P(LongRun, AnAbortBeforeTheUpdateHolds)
+{
+  const auto filter = GetParam().Make();
+  {
+    EventLog log(filter);
+    filter->SetAbortExecute(1);
+    filter->Update();
+    EXPECT_TRUE(log.Errors.empty());
+    EXPECT_TRUE(IsInitialized(filter->GetOutputDataObject(0)));
+    EXPECT_EQ(filter->GetAbortExecute(), 1);
+  }
+  filter->SetAbortExecute(0);
+  filter->Update();
+  EXPECT_FALSE(IsInitialized(filter->GetOutputDataObject(0)));
+}
+
 INSTANTIATE_TEST_SUITE_P(Filters, LongRun, testing::ValuesIn(LongRunCases()), NameOf);
 
 //------------------------------------------------------------------------------
@@ -178,10 +194,12 @@ TEST(Abort, ReachesTheReadingOfAHugePolygon)
     };
     filter->SetInputDataObject(surface);
     filter->Update();
-    // VTK ends every update with a 1 of its own.
-    std::vector<double> expected(15, 0.0);
-    expected.push_back(1.0);
-    EXPECT_EQ(log.Progress, expected);
+    // VTK ends updates with a 1 of its own; 9.1 those that were aborted not.
+    if (!log.Progress.empty() && log.Progress.back() == 1.0)
+    {
+      log.Progress.pop_back();
+    }
+    EXPECT_EQ(log.Progress, std::vector<double>(15, 0.0));
     EXPECT_TRUE(log.Errors.empty());
     EXPECT_TRUE(IsInitialized(filter->GetOutputDataObject(0)));
   }
