@@ -19,6 +19,9 @@ set(BUILD_SHARED_LIBS ON)
 option(EVOLVINGSURFACES_USE_PARAVIEW
   "Build against ParaView's SDK, with the plugin; otherwise against plain VTK." ON)
 
+# VTK 9.3 hands on keywords without a value, of which CMake from 3.31 on warns.
+set(CMAKE_POLICY_DEFAULT_CMP0174 OLD)
+
 if (EVOLVINGSURFACES_USE_PARAVIEW)
   include(MendedParaView)
   evolvingsurfaces_mend_paraview()

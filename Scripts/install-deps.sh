@@ -2,8 +2,12 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
+# install-deps.sh [--plain]
+#
 # Installs the packages that building and testing need and that are missing; does nothing when all
 # are there. For Debian 12 and 13 and systems with the same packages. Works as root or with sudo.
+#
+#   --plain   those of the preset plain: Debian's VTK in place of ParaView's, which exclude each other
 #
 # EVOLVINGSURFACES_SKIP_INSTALL=1 skips it: the packages are then yours to provide.
 set -euo pipefail
@@ -11,16 +15,22 @@ set -euo pipefail
 needed_packages=(
   # compiler and build tools
   g++ make cmake ninja-build
-  # ParaView's SDK with its VTK and Python, and the kernel's libraries
-  paraview-dev python3-paraview python3-dev libeigen3-dev libgtest-dev
-  # what find_package(ParaView) looks for
-  libdouble-conversion-dev libxml2-dev libexpat1-dev libutfcpp-dev libhdf5-openmpi-dev
-  libnetcdf-dev libgdal-dev libgl-dev libglew-dev libgl2ps-dev libfreetype-dev libpng-dev
-  libogg-dev libtheora-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
+  # Python, and the kernel's libraries
+  python3-dev libeigen3-dev libgtest-dev
   # a display for rendering
   xvfb xauth
   # what cpack makes Debian packages with
   dpkg-dev file
+)
+# VTK alone, which brings what find_package(VTK) looks for.
+plain_packages=(libvtk9-dev python3-vtk9 python3-numpy)
+# ParaView's SDK with its VTK and Python.
+paraview_packages=(
+  paraview-dev python3-paraview
+  # what find_package(ParaView) looks for
+  libdouble-conversion-dev libxml2-dev libexpat1-dev libutfcpp-dev libhdf5-openmpi-dev
+  libnetcdf-dev libgdal-dev libgl-dev libglew-dev libgl2ps-dev libfreetype-dev libpng-dev
+  libogg-dev libtheora-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
 )
 # What it looks for of Qt, and the tool for the plugin's help pages: ParaView 5.11 and 5.13.
 qt5_packages=(qtbase5-dev qttools5-dev libqt5svg5-dev libqt5opengl5-dev qtxmlpatterns5-dev-tools)
@@ -46,10 +56,10 @@ is_installed()
 choose_packages()
 {
   packages=("${needed_packages[@]}")
-  if apt-cache show paraview 2>/dev/null | grep '^Depends:.*libqt6' >/dev/null; then
-    packages+=("${qt6_packages[@]}")
+  if [[ $plain -eq 1 ]]; then
+    packages+=("${plain_packages[@]}")
   else
-    packages+=("${qt5_packages[@]}")
+    choose_paraview_packages
   fi
   local package
   for package in "${data_packages[@]}"; do
@@ -57,6 +67,16 @@ choose_packages()
       packages+=("$package")
     fi
   done
+}
+
+choose_paraview_packages()
+{
+  packages+=("${paraview_packages[@]}")
+  if apt-cache show paraview 2>/dev/null | grep '^Depends:.*libqt6' >/dev/null; then
+    packages+=("${qt6_packages[@]}")
+  else
+    packages+=("${qt5_packages[@]}")
+  fi
 }
 
 find_missing()
@@ -77,14 +97,15 @@ as_root()
   fi
 }
 
-# Other VTK packages exclude ParaView's: say so before apt removes them, and ask where one can.
+# ParaView's packages and those of VTK alone exclude each other: say so before apt removes some, and
+# ask where one can.
 confirm_removals()
 {
   local removed answer
   removed="$(apt-get install --simulate --no-install-recommends "${missing[@]}" 2>/dev/null |
     awk '$1 == "Remv" { print $2 }' | sort | tr '\n' ' ')" || true
   [[ -n "$removed" ]] || return 0
-  say "ParaView's packages exclude these installed ones, which will be removed: $removed"
+  say "the packages to install exclude these installed ones, which will be removed: $removed"
   if [[ -t 0 && -t 1 ]]; then
     read -r -p "install-deps: go on? [y/N] " answer
     [[ "$answer" == [yY]* ]] || fail "Nothing was changed; set EVOLVINGSURFACES_SKIP_INSTALL=1 to" \
@@ -92,14 +113,21 @@ confirm_removals()
   fi
 }
 
+plain=0
+case "$*" in
+  "") ;;
+  --plain) plain=1 ;;
+  *) fail "There is no option '$*', expected --plain or nothing." ;;
+esac
 if [[ "${EVOLVINGSURFACES_SKIP_INSTALL:-0}" == 1 ]]; then
   say "skipped, as EVOLVINGSURFACES_SKIP_INSTALL=1 asks."
   exit 0
 fi
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
-  fail "This system has no apt-get; install ParaView's development files, its Qt, Eigen 3.4," \
-    "GoogleTest, CMake, Ninja and Xvfb with your package manager and set" \
-    "EVOLVINGSURFACES_SKIP_INSTALL=1."
+  vtk="ParaView's development files, its Qt"
+  [[ $plain -eq 0 ]] || vtk="VTK's development files, its Python"
+  fail "This system has no apt-get; install $vtk, Eigen 3.4, GoogleTest, CMake, Ninja and Xvfb" \
+    "with your package manager and set EVOLVINGSURFACES_SKIP_INSTALL=1."
 fi
 
 choose_packages

@@ -5,25 +5,34 @@
 # test.sh             installs what is missing, builds build/release, runs every test but the
 #                     nightly ones
 # test.sh --fast      only the labels kernel, layering and python: for the working loop
+# test.sh --plain     the same as without it, of build/plain: with Debian's VTK, without ParaView
 # test.sh --nightly [SEED]
 #                     every test; the tests of the kernel and of the filters with address and
 #                     undefined-behaviour sanitizers, the kernel's parallel ones with the thread
-#                     sanitizer; and an hour of new inputs from SEED on (default: today's date)
+#                     sanitizer; an hour of new inputs from SEED on (default: today's date); and
+#                     Scripts/bootstrap.sh, VTK alone on Debian 12 and 13, and ParaView on 13
 # The exit status is CTest's, or 1 where only what is nightly failed.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 usage()
 {
-  echo "usage: test.sh [--fast | --nightly [SEED]]" >&2
+  echo "usage: test.sh [--fast | --plain | --nightly [SEED]]" >&2
   exit 2
 }
 
 [[ $# -le 1 || ("$1" == --nightly && $# -eq 2) ]] || usage
 [[ "${2:-1}" =~ ^[0-9]{1,18}$ ]] || usage
+preset=release
+install_arguments=()
 case "${1:-}" in
   "") selection=(-LE '^nightly$') ;;
   --fast) selection=(-L '^(kernel|layering|python)$' -LE '^nightly$') ;;
+  --plain)
+    selection=(-LE '^nightly$')
+    preset=plain
+    install_arguments=(--plain)
+    ;;
   --nightly) selection=() ;;
   *) usage ;;
 esac
@@ -53,22 +62,42 @@ run_new_inputs()
   build/release/bin/RobustnessRunner --seed "$seed" --count 0 --seconds 3600 || failed+=("$title")
 }
 
+# The tests in a fresh Debian: in_debian SUITE PRESET.
+in_debian()
+{
+  local title="Preset $2 on Debian's $1" status=0
+  echo "== $title"
+  bash Scripts/bootstrap.sh "$1" "$2" || status=$?
+  case $status in
+    0) ;;
+    77) skipped+=("$title") ;;
+    *) failed+=("$title") ;;
+  esac
+}
+
 echo "== Packages"
-bash Scripts/install-deps.sh
+bash Scripts/install-deps.sh "${install_arguments[@]}"
 failed=()
+skipped=()
 if [[ "${1:-}" == --nightly ]]; then
   sanitized sanitize "Kernel tests with sanitizers" -L '^kernel$'
   sanitized tsan "Parallel kernel tests with the thread sanitizer" -L '^kernel$' -R 'Thread'
   sanitized sanitize-filters "Filter tests with sanitizers" -L '^vtk$' -E '^Images\.'
 fi
 echo "== Build"
-bash Scripts/build.sh release
+bash Scripts/build.sh "$preset"
 echo "== Tests"
 tested=0
-run_ctest --test-dir build/release "${selection[@]}" || tested=$?
+run_ctest --test-dir "build/$preset" "${selection[@]}" || tested=$?
 if [[ "${1:-}" == --nightly ]]; then
   run_new_inputs "${2:-}"
+  in_debian bookworm plain
+  in_debian trixie plain
+  in_debian trixie release
 fi
+for title in "${skipped[@]}"; do
+  echo "Skipped, see above: $title" >&2
+done
 for title in "${failed[@]}"; do
   echo "Failed, see above: $title" >&2
 done
