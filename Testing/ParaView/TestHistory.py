@@ -129,6 +129,9 @@ class States(HistoryTest):
         state = smstate.get_state()
         pv.ResetSession()
         exec(compile(state, "state", "exec"), {"__name__": "state"})
+        # Sources of a Python state have the times of their defaults until they are asked again,
+        # ParaView's own (Temporal Shift Scale) as ours, and ParaView 5.13 plays these.
+        pv.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
         self.assert_restored()
 
 
