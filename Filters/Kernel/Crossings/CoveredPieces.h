@@ -19,14 +19,25 @@
 namespace evolving
 {
 
+/// Which side of a piece is outside of all closed parts.
+enum class SeenSide : char
+{
+  None,
+  Front,
+  Back ///< of a closed part that is turned inside out there
+};
+
 /**
- * By the winding number of the closed parts. What crosses nothing is covered as a whole or not at
- * all: slivers, of which rounding decides, follow the others.
+ * By the winding number of the closed parts, inside is where it is not zero. It is asked once for
+ * each region: pieces that are connected across edges of two. A piece of a triangle that was not
+ * cut where it should be is a region of its own, covered only if all of it is; where its winding
+ * number is in doubt, as that of slivers and of faces on each other, it follows the others of its
+ * patch.
  * @param whole before it was cut, outwards where closed
- * @return not 0 for pieces that are covered
+ * @return of each piece; of open parts no back
  * @throws Cancelled
  */
-std::vector<char> coveredPieces(const SurfaceMesh& whole, const SurfaceParts& parts,
+std::vector<SeenSide> seenSides(const SurfaceMesh& whole, const SurfaceParts& parts,
   const CutTriangles& cut, const Execution& execution = {});
 
 } // namespace evolving

@@ -109,14 +109,9 @@ const Vec3& CrossingLines::point(Index number) const
     : this->Triples[at(number - this->firstTriple())].point;
 }
 
-const Vec3& CrossingLines::end(Index segment, std::size_t which) const
-{
-  return this->Crossings.points[at(this->Crossings.segments[at(segment)].ends[which])].point;
-}
-
 Index CrossingLines::otherTriangle(Index segment, Index triangle) const
 {
-  const auto& [first, second] = this->Crossings.segments[at(segment)].triangles;
+  const auto& [first, second] = this->trianglesOf(segment);
   return first == triangle ? second : first;
 }
 
@@ -165,9 +160,8 @@ std::vector<CrossingLines::TriplePoint> CrossingLines::triplePoints(Index triang
   {
     if (this->otherTriangle(s, triangle) > triangle)
     {
-      const auto& ends = this->Crossings.segments[at(s)].ends;
-      drawn.push_back({ s, this->place(triangle, this->firstCrossing() + ends[0]),
-        this->place(triangle, this->firstCrossing() + ends[1]) });
+      const auto& [from, to] = this->endsOf(s);
+      drawn.push_back({ s, this->place(triangle, from), this->place(triangle, to) });
     }
   }
   std::vector<TriplePoint> found;
@@ -195,27 +189,27 @@ std::vector<CrossingLines::TriplePoint> CrossingLines::triplePoints(Index triang
 /// Where a segment meets the plane of a triangle.
 Vec3 CrossingLines::onSegment(Index segment, Index triangle) const
 {
-  const Vec3& p = this->end(segment, 0);
-  const Vec3& q = this->end(segment, 1);
+  const Vec3& p = this->point(this->endsOf(segment)[0]);
+  const Vec3& q = this->point(this->endsOf(segment)[1]);
   return p + placeAtPlane(this->Mesh, triangle, p, q) * (q - p);
 }
 
 std::vector<Index> CrossingLines::pointsAlong(Index segment) const
 {
-  const Vec3 along = this->end(segment, 1) - this->end(segment, 0);
+  const auto& [from, to] = this->endsOf(segment);
+  const Vec3 along = this->point(to) - this->point(from);
   std::vector<std::pair<double, Index>> inner;
   for (const Index triple : this->Between[at(segment)])
   {
     inner.emplace_back(along.dot(this->Triples[at(triple)].point), this->firstTriple() + triple);
   }
   std::sort(inner.begin(), inner.end());
-  const auto& ends = this->Crossings.segments[at(segment)].ends;
-  std::vector<Index> numbers = { this->firstCrossing() + ends[0] };
+  std::vector<Index> numbers = { from };
   for (const auto& [way, number] : inner)
   {
     numbers.push_back(number);
   }
-  numbers.push_back(this->firstCrossing() + ends[1]);
+  numbers.push_back(to);
   return numbers;
 }
 

@@ -40,7 +40,7 @@ public:
 
   Index pointCount() const;
   const Vec3& point(Index number) const;
-  /// A point on a side of a triangle, or inside it, in its barycentric coordinates.
+  /// A corner of a triangle, a point on a side of it or inside it, in its barycentric coordinates.
   GridPoint place(Index triangle, Index number) const;
 
   /// The points on the sides of a triangle, but for its corners.
@@ -51,6 +51,13 @@ public:
   }
   /// The points along a segment, its ends included.
   std::vector<Index> pointsAlong(Index segment) const;
+  /// The triangles that a segment is on.
+  const std::array<Index, 2>& trianglesOf(Index segment) const
+  {
+    return this->Crossings.segments[at(segment)].triangles;
+  }
+  /// Pairs of triangles that meet without a segment.
+  const std::vector<IndexPair>& uncutPairs() const { return this->Crossings.uncut; }
 
 private:
   /// Where three triangles cross, and the three segments that meet there.
@@ -62,7 +69,10 @@ private:
 
   Index firstCrossing() const { return this->Mesh.vertexCount(); }
   Index firstTriple() const;
-  const Vec3& end(Index segment, std::size_t which) const;
+  const std::array<Index, 2>& endsOf(Index segment) const
+  {
+    return this->Crossings.segments[at(segment)].ends;
+  }
 
   void sortSegments();
   void sortPoints();
@@ -72,6 +82,7 @@ private:
   Vec3 onSegment(Index segment, Index triangle) const;
   Index otherTriangle(Index segment, Index triangle) const;
   Index segmentOf(Index a, Index b) const;
+  GridPoint atCorner(Index triangle, Index vertex) const;
   GridPoint onSide(Index triangle, Index k, std::int64_t along) const;
   GridPoint inTriangle(Index triangle, const Vec3& point) const;
 

@@ -11,6 +11,10 @@ namespace evolving
 
 GridPoint CrossingLines::place(Index triangle, Index number) const
 {
+  if (number < this->firstCrossing())
+  {
+    return this->atCorner(triangle, number);
+  }
   if (number < this->firstTriple())
   {
     const CrossingPoint& crossing = this->Crossings.points[at(number - this->firstCrossing())];
@@ -23,6 +27,16 @@ GridPoint CrossingLines::place(Index triangle, Index number) const
     }
   }
   return this->inTriangle(triangle, this->point(number));
+}
+
+GridPoint CrossingLines::atCorner(Index triangle, Index vertex) const
+{
+  if (vertex == this->Mesh.faceVertex(triangle, 0))
+  {
+    return { 0, 0 };
+  }
+  return vertex == this->Mesh.faceVertex(triangle, 1) ? GridPoint{ GridPoint::Unit, 0 }
+                                                      : GridPoint{ 0, GridPoint::Unit };
 }
 
 /// On side k, which begins at corner k.

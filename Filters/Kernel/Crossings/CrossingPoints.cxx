@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 namespace evolving
@@ -22,7 +21,13 @@ namespace
 
 /// An edge and a triangle that it runs through.
 using Piercing = std::pair<Index, Index>;
-using Piercings = std::array<Piercing, 2>;
+
+/// The ends of what two triangles have in common.
+struct Ends
+{
+  Index vertex = NoIndex; ///< of both, which is then the first end
+  std::vector<Piercing> piercings;
+};
 
 /// Looks at one pair of triangles.
 class PairOfTriangles
@@ -35,47 +40,51 @@ public:
   {
   }
 
-  /// None where they do not cross by two edges.
-  std::optional<Piercings> piercings() const
+  /// None where they do not cross by two edges, or by one from a common vertex.
+  std::optional<Ends> ends() const
   {
-    if (this->shareAVertex())
+    const std::vector<Index> shared = this->sharedVertices();
+    if (shared.size() > 1)
     {
       return std::nullopt;
     }
-    std::vector<Piercing> found;
-    if (!this->addPiercings(this->Pair.first, this->Pair.second, found) ||
-      !this->addPiercings(this->Pair.second, this->Pair.first, found) || found.size() != 2)
-    {
-      return std::nullopt;
-    }
-    return Piercings{ found[0], found[1] };
+    Ends found;
+    found.vertex = shared.empty() ? NoIndex : shared.front();
+    const bool isCut = this->addPiercings(this->Pair.first, this->Pair.second, found) &&
+      this->addPiercings(this->Pair.second, this->Pair.first, found) &&
+      found.piercings.size() + shared.size() == 2;
+    return isCut ? std::make_optional(found) : std::nullopt;
   }
 
 private:
-  bool shareAVertex() const
+  std::vector<Index> sharedVertices() const
   {
+    std::vector<Index> shared;
     for (Index i = 0; i < 9; ++i)
     {
-      if (this->Mesh.faceVertex(this->Pair.first, i / 3) ==
-        this->Mesh.faceVertex(this->Pair.second, i % 3))
+      const Index vertex = this->Mesh.faceVertex(this->Pair.first, i / 3);
+      if (vertex == this->Mesh.faceVertex(this->Pair.second, i % 3))
       {
-        return true;
+        shared.push_back(vertex);
       }
     }
-    return false;
+    return shared;
   }
 
-  /// Of the edges of a triangle. @return false where something only touches
-  bool addPiercings(Index edgesOf, Index triangle, std::vector<Piercing>& found) const
+  /// Of the edges of a triangle, without those at a common vertex: they begin in the other's plane.
+  /// @return false where something only touches
+  bool addPiercings(Index edgesOf, Index triangle, Ends& found) const
   {
     const Vec3& a = this->Mesh.facePoint(triangle, 0);
     const Vec3& b = this->Mesh.facePoint(triangle, 1);
     const Vec3& c = this->Mesh.facePoint(triangle, 2);
+    const auto isCommon = [&](Index k)
+    { return this->Mesh.faceVertex(edgesOf, k) == found.vertex; };
     std::array<int, 3> sides{};
     for (Index k = 0; k < 3; ++k)
     {
-      sides[at(k)] = orientation(a, b, c, this->Mesh.facePoint(edgesOf, k));
-      if (sides[at(k)] == 0)
+      sides[at(k)] = isCommon(k) ? 0 : orientation(a, b, c, this->Mesh.facePoint(edgesOf, k));
+      if (sides[at(k)] == 0 && !isCommon(k))
       {
         return false;
       }
@@ -83,7 +92,7 @@ private:
     for (Index k = 0; k < 3; ++k)
     {
       const Index next = (k + 1) % 3;
-      if (sides[at(k)] == sides[at(next)])
+      if (sides[at(k)] * sides[at(next)] >= 0)
       {
         continue;
       }
@@ -94,7 +103,7 @@ private:
       const auto [least, most] = std::minmax_element(turns.begin(), turns.end());
       if (*least == *most && *least != 0)
       {
-        found.emplace_back(this->Edges.edgeOf(3 * edgesOf + k), triangle);
+        found.piercings.emplace_back(this->Edges.edgeOf(3 * edgesOf + k), triangle);
       }
       else if (*least >= 0 || *most <= 0)
       {
@@ -129,33 +138,39 @@ CrossingPoint placed(const SurfaceMesh& mesh, const TriangleEdges& edges, const 
 CrossingPoints crossingPoints(const SurfaceMesh& mesh, const TriangleEdges& edges,
   const std::vector<IndexPair>& pairs, const Execution& execution)
 {
-  std::vector<std::optional<Piercings>> ofPair(pairs.size());
+  std::vector<std::optional<Ends>> ofPair(pairs.size());
   forEachIndex(execution, static_cast<std::int64_t>(pairs.size()),
-    [&](Index i) { ofPair[at(i)] = PairOfTriangles(mesh, edges, pairs[at(i)]).piercings(); });
+    [&](Index i) { ofPair[at(i)] = PairOfTriangles(mesh, edges, pairs[at(i)]).ends(); });
   std::vector<Piercing> all;
-  for (const auto& piercings : ofPair)
+  for (const auto& ends : ofPair)
   {
-    if (piercings)
+    if (ends)
     {
-      all.insert(all.end(), piercings->begin(), piercings->end());
+      all.insert(all.end(), ends->piercings.begin(), ends->piercings.end());
     }
   }
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
-  const auto numberOf = [&all](const Piercing& piercing)
-  { return static_cast<Index>(std::lower_bound(all.begin(), all.end(), piercing) - all.begin()); };
+  const auto numberOf = [&](const Piercing& piercing)
+  {
+    return mesh.vertexCount() +
+      static_cast<Index>(std::lower_bound(all.begin(), all.end(), piercing) - all.begin());
+  };
   CrossingPoints crossings;
   crossings.points.resize(all.size());
   forEachIndex(execution, static_cast<std::int64_t>(all.size()),
     [&](Index i) { crossings.points[at(i)] = placed(mesh, edges, all[at(i)]); });
   for (std::size_t i = 0; i < pairs.size(); ++i)
   {
-    if (ofPair[i])
+    if (!ofPair[i])
     {
-      const auto& [first, second] = *ofPair[i];
-      crossings.segments.push_back(
-        { { pairs[i].first, pairs[i].second }, { numberOf(first), numberOf(second) } });
+      crossings.uncut.push_back(pairs[i]);
+      continue;
     }
+    const Ends& ends = *ofPair[i];
+    const Index first = ends.vertex != NoIndex ? ends.vertex : numberOf(ends.piercings.front());
+    crossings.segments.push_back(
+      { { pairs[i].first, pairs[i].second }, { first, numberOf(ends.piercings.back()) } });
   }
   return crossings;
 }

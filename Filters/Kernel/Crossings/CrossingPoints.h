@@ -35,18 +35,22 @@ struct CrossingPoint
 struct CrossingSegment
 {
   std::array<Index, 2> triangles{}; ///< the smaller number first
-  std::array<Index, 2> ends{};      ///< numbers of crossing points
+  /// Numbers of points: the mesh's vertices, then the crossing points. A vertex is an end where
+  /// both triangles have it.
+  std::array<Index, 2> ends{};
 };
 
 struct CrossingPoints
 {
   std::vector<CrossingPoint> points;     ///< sorted by edge and triangle, each once
   std::vector<CrossingSegment> segments; ///< sorted by triangles
+  std::vector<IndexPair> uncut;          ///< pairs that have no segment, sorted
 };
 
 /**
  * Which edges run through which triangles is exact, so neighbours agree on it; where is rounded.
- * Pairs that share a vertex, only touch or lie on each other, have none.
+ * Of triangles that share a vertex the segment begins there. Pairs that only touch, or lie on each
+ * other, as those that share an edge do, have none.
  * @param mesh triangles
  * @param pairs of triangles that may cross, sorted
  * @throws Cancelled

@@ -26,6 +26,7 @@ struct Pieces
 {
   std::vector<std::array<Index, 3>> triangles;
   std::vector<IndexPair> same; ///< points that are one in the grid of the triangle
+  std::vector<Index> uncut;    ///< segments that rounding makes cross others once more
 };
 
 /// Cuts one triangle.
@@ -46,8 +47,9 @@ public:
     {
       this->insert(number);
     }
+    const std::vector<Index>& segments = this->Lines.segmentsOf(this->Triangle);
     std::vector<std::vector<Index>> chains;
-    for (const Index segment : this->Lines.segmentsOf(this->Triangle))
+    for (const Index segment : segments)
     {
       chains.push_back(this->Lines.pointsAlong(segment));
       for (const Index number : chains.back())
@@ -55,12 +57,11 @@ public:
         this->insert(number);
       }
     }
-    for (const std::vector<Index>& chain : chains)
+    for (std::size_t s = 0; s < segments.size(); ++s)
     {
-      for (std::size_t i = 1; i < chain.size(); ++i)
+      if (!this->insertChain(chains[s]))
       {
-        // What rounding makes cross once more stays as it is.
-        insertSegment(this->Cells, this->VertexOf[chain[i - 1]], this->VertexOf[chain[i]]);
+        this->Result.uncut.push_back(segments[s]);
       }
     }
     for (Index c = 0; c < this->Cells.cellCount(); ++c)
@@ -92,6 +93,18 @@ private:
     }
   }
 
+  /// @return false where a part of it would cross another segment
+  bool insertChain(const std::vector<Index>& chain)
+  {
+    bool isWhole = true;
+    for (std::size_t i = 1; i < chain.size(); ++i)
+    {
+      const Index from = this->VertexOf[chain[i - 1]];
+      isWhole = insertSegment(this->Cells, from, this->VertexOf[chain[i]]) && isWhole;
+    }
+    return isWhole;
+  }
+
   const CrossingLines& Lines;
   Index Triangle;
   GridTriangulation Cells;
@@ -99,6 +112,27 @@ private:
   std::map<Index, Index> VertexOf;
   Pieces Result;
 };
+
+std::vector<char> fullyCut(const CrossingLines& lines, const std::vector<Pieces>& pieces)
+{
+  std::vector<char> isFullyCut(pieces.size(), 1);
+  for (const auto& [first, second] : lines.uncutPairs())
+  {
+    isFullyCut[at(first)] = 0;
+    isFullyCut[at(second)] = 0;
+  }
+  for (const Pieces& p : pieces)
+  {
+    for (const Index segment : p.uncut)
+    {
+      for (const Index triangle : lines.trianglesOf(segment))
+      {
+        isFullyCut[at(triangle)] = 0;
+      }
+    }
+  }
+  return isFullyCut;
+}
 
 CutTriangles assembled(
   const SurfaceMesh& mesh, const CrossingLines& lines, const std::vector<Pieces>& pieces)
@@ -132,6 +166,7 @@ CutTriangles assembled(
   {
     cut.oldFace.push_back(parents[at(face)]);
   }
+  cut.isFullyCut = fullyCut(lines, pieces);
   return cut;
 }
 

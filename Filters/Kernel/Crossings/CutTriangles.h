@@ -24,13 +24,15 @@ struct CutTriangles
 {
   SurfaceMesh mesh;           ///< triangles, welded
   std::vector<Index> oldFace; ///< of each the one that it is a piece of
+  /// Of old faces, not 0 where all that crosses one is a line of edges in it and in the other.
+  std::vector<char> isFullyCut;
 };
 
 /**
  * The arrangement of the triangles (Zhou, Grinspun, Zorin, Jacobson, Mesh Arrangements for Solid
  * Geometry, 2016), in rounded numbers: pieces meet in whole edges, four at most edges where two
- * triangles cross. Pairs that only touch are left as they are, and so are those that rounding
- * would make cross once more.
+ * triangles cross. Pairs that only touch or lie on each other are left as they are, and so are
+ * those that rounding would make cross once more.
  * @param mesh triangles, welded
  * @param pairs of triangles that may cross, sorted: selfIntersections()
  * @param[out] areTooMany do so many cross that it would take minutes? May be null

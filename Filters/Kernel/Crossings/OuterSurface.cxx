@@ -46,18 +46,28 @@ std::vector<IndexPair> worthCutting(const SurfaceParts& parts, const std::vector
   return pairs.size() - ofClosed.size() > MostCrossings * openFaces ? ofClosed : pairs;
 }
 
+/// With what is seen from behind turned.
 SurfaceMesh withoutCovered(const SurfaceMesh& whole, const SurfaceParts& parts,
   const CutTriangles& cut, const Execution& execution)
 {
-  const std::vector<char> isCovered = coveredPieces(whole, parts, cut, execution);
+  const std::vector<SeenSide> seen = seenSides(whole, parts, cut, execution);
   SurfaceMesh outer;
   outer.points = cut.mesh.points;
   for (Index piece = 0; piece < cut.mesh.faceCount(); ++piece)
   {
-    if (isCovered[at(piece)] == 0)
+    const Index a = cut.mesh.faceVertex(piece, 0);
+    const Index b = cut.mesh.faceVertex(piece, 1);
+    const Index c = cut.mesh.faceVertex(piece, 2);
+    switch (seen[at(piece)])
     {
-      outer.addFace({ cut.mesh.faceVertex(piece, 0), cut.mesh.faceVertex(piece, 1),
-        cut.mesh.faceVertex(piece, 2) });
+      case SeenSide::None:
+        break;
+      case SeenSide::Front:
+        outer.addFace({ a, b, c });
+        break;
+      case SeenSide::Back:
+        outer.addFace({ a, c, b });
+        break;
     }
   }
   return weldCoincidentPoints(outer);
