@@ -104,7 +104,7 @@ public:
     this->repairOrLeave();
     if (this->hasWallsWithRidges())
     {
-      this->stage(1.0, 1.0, &FinishSteps::fairRidges, moveWithoutIntersections);
+      this->fairOrLeave();
     }
     if (this->Offset > 0.0)
     {
@@ -123,6 +123,18 @@ private:
     const bool hadSlivers = this->hasSlivers();
     this->stage(0.95, 1.0, &FinishSteps::repair);
     if (!hadSlivers && this->hasSlivers())
+    {
+      this->Surface = before;
+    }
+  }
+
+  /// Of elements nearly as large as the model all edges are ridges, and it would shrink.
+  void fairOrLeave()
+  {
+    const EditableSurface before = this->Surface;
+    this->stage(1.0, 1.0, &FinishSteps::fairRidges, moveWithoutIntersections);
+    if (signedVolume(this->Surface.mesh()) <
+      this->Tuning.leastVolumeAfterFairing * signedVolume(before.mesh()))
     {
       this->Surface = before;
     }

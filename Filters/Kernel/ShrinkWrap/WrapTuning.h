@@ -159,6 +159,8 @@ struct FinishTuning
   double reachSizes = 2.0;
   /// Of the volume before: a wrap that loses more by the capture of creases has collapsed.
   double leastVolumeAfterCapture = 0.5;
+  /// The same by the fairing of ridges, which may take their height off, but not the body's.
+  double leastVolumeAfterFairing = 0.9;
   ///@{
   /// Triangles with smaller angles are slivers, what Shortcomings names; so far around them a
   /// surface is remeshed once more, so often.
