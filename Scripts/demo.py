@@ -105,7 +105,7 @@ def write_all(folder, mesh, wrap, times):
     for i, (name, moment) in enumerate(zip(names, times)):
         surface = surface_at(wrap, moment)
         write_polydata(surface, os.path.join(folder, name))
-        if i in (0, len(times) // 8, len(times) - 1):
+        if i in (0, max(1, len(times) // 8), len(times) - 1):
             shown[i] = surface
     write_collection(names, times, os.path.join(folder, "evolution.pvd"))
     write_table(wrap.GetOutputPort(1), os.path.join(folder, "history.csv"))
