@@ -16,6 +16,7 @@
 #include "vtkShrinkWrap.h"
 #include "vtkSmartPointer.h"
 #include "vtkSurfaceEvolution.h"
+#include "vtkVersionMacros.h"
 
 #include <gtest/gtest.h>
 
@@ -194,12 +195,12 @@ TEST(Abort, ReachesTheReadingOfAHugePolygon)
     };
     filter->SetInputDataObject(surface);
     filter->Update();
-    // VTK ends updates with a 1 of its own; 9.1 those that were aborted not.
-    if (!log.Progress.empty() && log.Progress.back() == 1.0)
-    {
-      log.Progress.pop_back();
-    }
-    EXPECT_EQ(log.Progress, std::vector<double>(15, 0.0));
+    std::vector<double> expected(15, 0.0);
+    // VTK ends every update with a 1 of its own; 9.1 does not where it was aborted.
+#if VTK_VERSION_NUMBER >= 90220230111ULL
+    expected.push_back(1.0);
+#endif
+    EXPECT_EQ(log.Progress, expected);
     EXPECT_TRUE(log.Errors.empty());
     EXPECT_TRUE(IsInitialized(filter->GetOutputDataObject(0)));
   }

@@ -14,7 +14,7 @@ import unittest
 from pathlib import Path
 
 from bootstrap import Bootstrap, Unavailable
-from packages import make_packages
+from packages import add_arguments, make_packages
 
 OPTIONS = argparse.Namespace()
 CONSUMER = Path(__file__).resolve().parent / "Consumer"
@@ -96,11 +96,7 @@ class DebianInstall(unittest.TestCase):
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--cpack", required=True)
-    parser.add_argument("--build", required=True, type=Path)
-    parser.add_argument("--source", required=True, type=Path)
-    parser.add_argument("--output", required=True, type=Path)
-    parser.add_argument("--plugin", action="store_true", help="there is one for ParaView")
+    add_arguments(parser)
     OPTIONS, rest = parser.parse_known_args()
     OPTIONS.output.mkdir(parents=True, exist_ok=True)
     try:

@@ -8,9 +8,9 @@ import shutil
 import stat
 import sys
 import unittest
-from pathlib import Path
 
-from packages import make_packages, run
+from commands import run
+from packages import add_arguments, make_packages
 
 OPTIONS = argparse.Namespace()
 
@@ -126,12 +126,8 @@ class DebianPackage(unittest.TestCase):
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--cpack", required=True)
-    parser.add_argument("--source", required=True, type=Path)
-    parser.add_argument("--build", required=True, type=Path)
-    parser.add_argument("--output", required=True, type=Path)
+    add_arguments(parser)
     parser.add_argument("--python-vtk", required=True, help="Debian's package of VTK for Python")
-    parser.add_argument("--plugin", action="store_true", help="there is one for ParaView")
     parser.add_argument("--development", action="store_true", help="there is evolvingsurfaces-dev")
     OPTIONS, rest = parser.parse_known_args()
     unittest.main(argv=[sys.argv[0], *rest])

@@ -5,22 +5,14 @@
 import argparse
 import os
 import shutil
-import subprocess
 import sys
 import unittest
 from pathlib import Path
 
+from commands import run
+
 CONSUMER = Path(__file__).resolve().parent / "Consumer"
 OPTIONS = argparse.Namespace()
-
-
-def run(*command, succeeds=True, environment=None):
-    """What a command prints; the test fails where it does not end as expected."""
-    done = subprocess.run([str(part) for part in command], stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True, env=environment, check=False)
-    if (done.returncode == 0) != succeeds:
-        raise AssertionError(f"{command} ended with {done.returncode}:\n{done.stdout}")
-    return done.stdout
 
 
 def python_in(tree, code):

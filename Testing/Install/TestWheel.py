@@ -8,25 +8,18 @@ Builds with the options and installs the components that pyproject.toml names.
 import argparse
 import os
 import shutil
-import subprocess
 import sys
 import tomllib
 import unittest
 from pathlib import Path
+
+from commands import run
 
 ROOT = Path(__file__).resolve().parents[2]
 OPTIONS = argparse.Namespace()
 CODE = ("import evolvingsurfaces as es; source = es.vtkIcosphereSource(); wrap = es.vtkShrinkWrap(); "
         "wrap.SetInputConnection(source.GetOutputPort()); wrap.SetTargetNumberOfPoints(500); "
         "wrap.Update(); print(wrap.GetOutput().GetFieldData().GetArray('IsClosed').GetValue(0))")
-
-
-def run(*command, environment=None):
-    done = subprocess.run([str(part) for part in command], stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True, env=environment, check=False)
-    if done.returncode != 0:
-        raise AssertionError(f"{command} ended with {done.returncode}:\n{done.stdout}")
-    return done.stdout
 
 
 class Wheel(unittest.TestCase):

@@ -6,7 +6,7 @@ import os
 import shutil
 import subprocess
 
-from packages import run
+from commands import run
 
 # Nothing of the caller's environment gets in: what is found is found without it.
 ENVIRONMENT = ["HOME=/root", "LANG=C.UTF-8", "PATH=/usr/sbin:/usr/bin:/sbin:/bin",

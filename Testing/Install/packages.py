@@ -1,18 +1,20 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs commands, and cpack to make the Debian packages."""
+"""Makes the Debian packages."""
 
 import shutil
-import subprocess
+from pathlib import Path
+
+from commands import run
 
 
-def run(*command, **options):
-    """What a command prints; the test fails where the command does."""
-    done = subprocess.run([str(part) for part in command], stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True, check=False, **options)
-    if done.returncode != 0:
-        raise AssertionError(f"{command} ended with {done.returncode}:\n{done.stdout}")
-    return done.stdout
+def add_arguments(parser):
+    """What is needed to make them."""
+    parser.add_argument("--cpack", required=True)
+    parser.add_argument("--build", required=True, type=Path)
+    parser.add_argument("--source", required=True, type=Path)
+    parser.add_argument("--output", required=True, type=Path)
+    parser.add_argument("--plugin", action="store_true", help="there is one for ParaView")
 
 
 def make_packages(cpack, build, folder):

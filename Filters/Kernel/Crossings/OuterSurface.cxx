@@ -3,7 +3,7 @@
 
 #include "Crossings/OuterSurface.h"
 
-#include "Crossings/CoveredPieces.h"
+#include "Crossings/SeenSides.h"
 #include "Crossings/CutTriangles.h"
 #include "Crossings/GrownParts.h"
 #include "Crossings/SeparateSolids.h"

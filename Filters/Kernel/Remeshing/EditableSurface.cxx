@@ -180,4 +180,17 @@ Vec3 EditableSurface::normal(Index v) const
   return sum.stableNormalized();
 }
 
+Vec3 EditableSurface::middleOfNeighbours(Index v) const
+{
+  Vec3 sum = Vec3::Zero();
+  double count = 0.0;
+  this->forEachNeighbour(v,
+    [&](Index u)
+    {
+      sum += this->point(u);
+      count += 1.0;
+    });
+  return sum / count;
+}
+
 } // namespace evolving

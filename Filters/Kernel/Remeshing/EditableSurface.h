@@ -136,6 +136,7 @@ public:
   Index featureEdges(Index v) const;
   /// The sum of the faces' vector areas, normalized; zero where they cancel.
   Vec3 normal(Index v) const;
+  Vec3 middleOfNeighbours(Index v) const;
 
   /// Puts a vertex on an edge. @return the vertex
   Index split(Index e, const Vec3& point);

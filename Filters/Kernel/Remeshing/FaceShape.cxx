@@ -81,4 +81,17 @@ double smallestAngle(const EditableSurface& surface, Index face)
   return smallestAngle(surface.corner(face, 0), surface.corner(face, 1), surface.corner(face, 2));
 }
 
+double cosineOfSmallestAngleAround(const EditableSurface& surface, Index vertex)
+{
+  double worst = 0.0;
+  surface.forEachOutgoing(vertex,
+    [&](Index e)
+    {
+      worst = std::max(worst,
+        cosineOfSmallestAngle(
+          surface.point(vertex), surface.point(surface.to(e)), surface.point(surface.apex(e))));
+    });
+  return worst;
+}
+
 } // namespace evolving

@@ -33,6 +33,9 @@ double cosineOfSmallestAngle(const EditableSurface& surface, Index face);
 double smallestAngle(const EditableSurface& surface, Index face);
 ///@}
 
+/// Of all faces at a vertex, that of the smallest angle.
+double cosineOfSmallestAngleAround(const EditableSurface& surface, Index vertex);
+
 } // namespace evolving
 
 #endif

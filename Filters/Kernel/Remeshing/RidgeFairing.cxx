@@ -19,11 +19,6 @@ namespace
 /// Of the way to the middle of the neighbours: all of it would swing.
 constexpr double Damping = 0.5;
 
-double cosineOfDegrees(double degrees)
-{
-  return std::cos(degrees * Pi / 180.0);
-}
-
 class Fairing
 {
 public:
@@ -32,27 +27,43 @@ public:
     : Surface(surface)
     , Reference(reference)
     , Options(options)
-    , SharpCosine(cosineOfDegrees(options.sharpFold))
-    , TurnCosine(cosineOfDegrees(options.sharpTurn))
+    , SharpCosine(std::cos(options.sharpFold * RadiansPerDegree))
+    , TurnCosine(std::cos(options.sharpTurn * RadiansPerDegree))
+    , LeastAngleCosine(std::cos(options.leastAngle * RadiansPerDegree))
     , Start(at(surface.vertexSlots()))
+    , Normals(at(surface.faceSlots()))
+    , IsFold(at(surface.edgeSlots()), 0)
     , HasMoved(at(surface.vertexSlots()), 0)
   {
     for (Index v = 0; v < surface.vertexSlots(); ++v)
     {
       this->Start[at(v)] = surface.point(v);
     }
+    std::vector<Index> faces;
+    for (Index f = 0; f < surface.faceSlots(); ++f)
+    {
+      if (surface.hasFace(f))
+      {
+        faces.push_back(f);
+      }
+    }
+    this->findFolds(faces);
   }
 
   /// @return whether a vertex has moved
   bool runOnce()
   {
-    this->findFolds();
-    bool hasMoved = false;
+    std::vector<Index> changed;
     for (const Index v : this->verticesOfTeeth())
     {
-      hasMoved = this->move(v) || hasMoved;
+      if (this->move(v))
+      {
+        this->Surface.forEachOutgoing(
+          v, [&](Index e) { changed.push_back(EditableSurface::faceOf(e)); });
+      }
     }
-    return hasMoved;
+    this->findFolds(changed);
+    return !changed.empty();
   }
 
   Index movedVertices() const
@@ -61,25 +72,24 @@ public:
   }
 
 private:
-  void findFolds()
+  /// At the edges of faces that have changed.
+  void findFolds(const std::vector<Index>& faces)
   {
-    this->IsFold.assign(at(this->Surface.edgeSlots()), 0);
-    std::vector<Vec3> normals(at(this->Surface.faceSlots()));
-    for (Index f = 0; f < this->Surface.faceSlots(); ++f)
+    for (const Index f : faces)
     {
-      if (this->Surface.hasFace(f))
-      {
-        normals[at(f)] = this->Surface.doubleArea(f).stableNormalized();
-      }
+      this->Normals[at(f)] = this->Surface.doubleArea(f).stableNormalized();
     }
-    for (Index e = 0; e < this->Surface.edgeSlots(); ++e)
+    for (const Index f : faces)
     {
-      const Index opposite = this->Surface.hasEdge(e) ? this->Surface.opposite(e) : NoIndex;
-      if (opposite != NoIndex)
+      for (Index e = 3 * f; e < 3 * f + 3; ++e)
       {
-        const double cosine = normals[at(EditableSurface::faceOf(e))].dot(
-          normals[at(EditableSurface::faceOf(opposite))]);
-        this->IsFold[at(e)] = cosine < this->SharpCosine ? 1 : 0;
+        const Index opposite = this->Surface.opposite(e);
+        if (opposite != NoIndex)
+        {
+          const double cosine =
+            this->Normals[at(f)].dot(this->Normals[at(EditableSurface::faceOf(opposite))]);
+          this->IsFold[at(e)] = this->IsFold[at(opposite)] = cosine < this->SharpCosine ? 1 : 0;
+        }
       }
     }
   }
@@ -150,29 +160,6 @@ private:
       this->Surface.featureEdges(v) == 0;
   }
 
-  Vec3 middleOfNeighbours(Index v) const
-  {
-    Vec3 sum = Vec3::Zero();
-    Index count = 0;
-    this->Surface.forEachNeighbour(v,
-      [&](Index w)
-      {
-        sum += this->Surface.point(w);
-        ++count;
-      });
-    return sum / static_cast<double>(count);
-  }
-
-  double worstCosine(Index v) const
-  {
-    double worst = 0.0;
-    this->Surface.forEachOutgoing(v,
-      [&](Index e) {
-        worst = std::max(worst, cosineOfSmallestAngle(this->Surface, EditableSurface::faceOf(e)));
-      });
-    return worst;
-  }
-
   /// How far the directions of the faces at a vertex are from the reference's, by area.
   double deviation(Index v) const
   {
@@ -195,15 +182,17 @@ private:
   bool move(Index v)
   {
     const Vec3 before = this->Surface.point(v);
-    const double allowed =
-      std::max(this->worstCosine(v), cosineOfDegrees(this->Options.leastAngle));
+    const double allowedCosine =
+      std::max(cosineOfSmallestAngleAround(this->Surface, v), this->LeastAngleCosine);
     const double allowedDeviation = this->deviation(v);
-    Vec3 away = before + Damping * (this->middleOfNeighbours(v) - before) - this->Start[at(v)];
+    Vec3 away =
+      before + Damping * (this->Surface.middleOfNeighbours(v) - before) - this->Start[at(v)];
     const double farthest = this->Options.farthest * this->Surface.size(v);
     const double distance = away.norm();
     away *= distance > farthest ? farthest / distance : 1.0;
     this->Surface.setPoint(v, this->Start[at(v)] + away);
-    if (this->worstCosine(v) > allowed || this->deviation(v) > allowedDeviation)
+    if (cosineOfSmallestAngleAround(this->Surface, v) > allowedCosine ||
+      this->deviation(v) > allowedDeviation)
     {
       this->Surface.setPoint(v, before);
       return false;
@@ -217,9 +206,11 @@ private:
   const RidgeFairingOptions& Options;
   double SharpCosine;
   double TurnCosine;
-  std::vector<Vec3> Start; ///< where vertices were
+  double LeastAngleCosine;
+  std::vector<Vec3> Start;   ///< where vertices were
+  std::vector<Vec3> Normals; ///< of faces
+  std::vector<char> IsFold;  ///< of each half-edge
   std::vector<char> HasMoved;
-  std::vector<char> IsFold; ///< of each half-edge
 };
 
 } // namespace

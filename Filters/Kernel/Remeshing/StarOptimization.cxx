@@ -120,7 +120,7 @@ Index optimizeStarsOf(EditableSurface& surface, const ReferenceSurface& referenc
     Index moved = 0;
     for (const Index v : vertices)
     {
-      moved += search.worstCosine(v) > limit && search.improve(v) ? 1 : 0;
+      moved += cosineOfSmallestAngleAround(surface, v) > limit && search.improve(v) ? 1 : 0;
     }
     moves += moved;
     if (moved == 0)

@@ -56,19 +56,6 @@ bool StarSearch::improve(Index v)
   return hasMoved;
 }
 
-double StarSearch::worstCosine(Index v) const
-{
-  double worst = 0.0;
-  this->Surface.forEachOutgoing(v,
-    [&](Index e)
-    {
-      worst = std::max(worst,
-        cosineOfSmallestAngle(this->Surface.point(v), this->Surface.point(this->Surface.to(e)),
-          this->Surface.point(this->Surface.apex(e))));
-    });
-  return worst;
-}
-
 double StarSearch::worstCosineAt(const Vec3& point) const
 {
   double worst = 0.0;

@@ -32,9 +32,6 @@ public:
   /// Pinned vertices, corners and boundary vertices stay. @return whether the vertex has moved
   bool improve(Index v);
 
-  /// The cosine of the smallest angle of the vertex's triangles.
-  double worstCosine(Index v) const;
-
 private:
   bool isBetter(const Vec3& point);
   double worstCosineAt(const Vec3& point) const;

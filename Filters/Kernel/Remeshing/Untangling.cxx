@@ -62,19 +62,6 @@ std::set<Index> verticesOf(const EditableSurface& surface, const FacePairs& pair
   return vertices;
 }
 
-Vec3 middleOfNeighbours(const EditableSurface& surface, Index v)
-{
-  Vec3 sum = Vec3::Zero();
-  double count = 0.0;
-  surface.forEachNeighbour(v,
-    [&](Index u)
-    {
-      sum += surface.point(u);
-      count += 1.0;
-    });
-  return sum / count;
-}
-
 std::set<Index> withNeighbours(const EditableSurface& surface, const std::set<Index>& vertices)
 {
   std::set<Index> more = vertices;
@@ -124,7 +111,7 @@ FacePairs untangle(EditableSurface& surface, FacePairs pairs, const Execution& e
     {
       if (!surface.isPinned(v) && surface.featureEdges(v) == 0)
       {
-        surface.setPoint(v, middleOfNeighbours(surface, v));
+        surface.setPoint(v, surface.middleOfNeighbours(v));
       }
     }
     pairs = selfIntersections(surface.triangles(), execution.phase(0.0, 0.0));

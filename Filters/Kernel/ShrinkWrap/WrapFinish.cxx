@@ -133,11 +133,16 @@ private:
   {
     const EditableSurface before = this->Surface;
     this->stage(1.0, 1.0, &FinishSteps::fairRidges, moveWithoutIntersections);
-    if (signedVolume(this->Surface.mesh()) <
-      this->Tuning.leastVolumeAfterFairing * signedVolume(before.mesh()))
+    if (this->hasShrunk(before, this->Tuning.leastVolumeAfterFairing))
     {
       this->Surface = before;
     }
+  }
+
+  /// Is less than a part of a surface's volume left?
+  bool hasShrunk(const EditableSurface& before, double leastPart) const
+  {
+    return signedVolume(this->Surface.mesh()) < leastPart * signedVolume(before.mesh());
   }
 
   /// Elements as large as the model itself can collapse onto its corners.
@@ -156,8 +161,7 @@ private:
         captureFeatures(surface, *this->Features, steps.execution());
         steps.remesh(surface, this->Tuning.capturePasses);
       });
-    const double volume = signedVolume(before.mesh());
-    if (signedVolume(this->Surface.mesh()) < this->Tuning.leastVolumeAfterCapture * volume)
+    if (this->hasShrunk(before, this->Tuning.leastVolumeAfterCapture))
     {
       this->Surface = before;
       this->OnFeatures.reset();

@@ -3,11 +3,11 @@
 
 /**
  * @file
- * What lies inside closed parts of a surface that was cut where it crosses itself.
+ * Which sides are seen from outside, of a surface that was cut where it crosses itself.
  */
 
-#ifndef EVOLVING_COVERED_PIECES_H
-#define EVOLVING_COVERED_PIECES_H
+#ifndef EVOLVING_SEEN_SIDES_H
+#define EVOLVING_SEEN_SIDES_H
 
 #include "Crossings/CutTriangles.h"
 #include "Execution.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 The EvolvingSurfaces authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Crossings/CoveredPieces.h"
+#include "Crossings/SeenSides.h"
 
 #include "Crossings/GridPoint.h"
 #include "Distance/Signs/WindingNumber.h"
