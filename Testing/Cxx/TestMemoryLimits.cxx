@@ -61,7 +61,7 @@ Filter MakeFlood()
 Filter MakeEvolution()
 {
   auto filter = vtkSmartPointer<vtkSurfaceEvolution>::New();
-  filter->SetInputData(0, Sample::Icosphere(5, 1.5));
+  filter->SetInputData(0, Sample::Icosphere(4, 1.5));
   filter->SetInputData(1, Sample::SphereImage(33, 2.0, 1.0));
   filter->SetNumberOfSteps(2);
   filter->SetTimeStep(0.01);
