@@ -26,7 +26,9 @@ COMMON = {
     "vtkLabelSurfaces": {},
     "vtkTangentialRedistribution": {"NumberOfSteps": 2},
     "vtkShrinkWrap": {"SampleDimensions": (24, 24, 24), "TargetEdgeLength": 0.3},
-    "vtkSurfaceEvolution": {"NumberOfSteps": 3, "TimeStep": 0.1, "CurvatureSpeed": 0.05},
+    # The start has less than a quarter of the points, so that AUTOMATIC makes new elements at once.
+    "vtkSurfaceEvolution": {"NumberOfSteps": 3, "TimeStep": 0.1, "CurvatureSpeed": 0.05,
+                            "TargetEdgeLength": 0.15},
 }
 
 EXPONENTIAL = {"VolumeRedistribution": 1.0, "CurvatureControl": E.EXPONENTIAL}
@@ -89,7 +91,7 @@ OTHER_VALUES = {
     "vtkShrinkWrap": {
         "OutputSteps": (True, {}), "Start": (es.vtkShrinkWrap.ICOSPHERE, {}),
         "SampleDimensions": ((32, 32, 32), {}), "TargetEdgeLength": (0.4, {}),
-        "TargetNumberOfPoints": (300, {"TargetEdgeLength": 0.0}),
+        "TargetNumberOfPoints": (300, {"TargetEdgeLength": 0.0, "TargetNumberOfPoints": 500}),
         "GapSize": (1.0, {}), "AdaptToCurvature": (True, {}),
         "PreserveFeatures": (es.vtkShrinkWrap.ON, {"FeatureAngle": 10.0}),
         "FeatureAngle": (10.0, {"PreserveFeatures": es.vtkShrinkWrap.ON}), "NumberOfSteps": (5, {}),
