@@ -17,15 +17,12 @@ import tempfile
 from pathlib import Path
 
 from picture_difference import PICTURES, difference, is_blank
-from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkIOXML import vtkXMLGenericDataObjectReader
 
 SKIPPED = 77                                     # what an example ends with that has no data
 # Of 255, for the average of a block. An edge drawn on other pixels stays below it; a digit in a caption,
-# a triangle elsewhere do not. VTK 9.1 draws the edges of meshes darker than those that the pictures
-# were made with.
-DRAWS_LIKE_THE_PICTURES = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion()) > (9, 1)
-LARGEST_DIFFERENCE = 24.0 if DRAWS_LIKE_THE_PICTURES else 36.0
+# a triangle elsewhere do not.
+LARGEST_DIFFERENCE = 24.0
 
 
 def problem_of(path, shown):

@@ -3,9 +3,9 @@
 
 #include "Crossings/OuterSurface.h"
 
-#include "Crossings/SeenSides.h"
 #include "Crossings/CutTriangles.h"
 #include "Crossings/GrownParts.h"
+#include "Crossings/SeenSides.h"
 #include "Crossings/SeparateSolids.h"
 #include "Crossings/ShortEdges.h"
 #include "Distance/Signs/OutwardOrientation.h"
