@@ -101,7 +101,8 @@ OTHER_VALUES = {
     "vtkSurfaceEvolution": {
         "TimeStep": (0.05, {}), "NumberOfSteps": (2, {}), "OutputInterval": (2, {}),
         "Flow": (E.SURFACE_DIFFUSION, {**FREE, "InputDataObject": (0, closed())}),
-        "VolumePreserving": (True, FREE), "CurvatureSpeed": (0.1, {}), "CurvatureRange": (0.5, {}), "AdvectionSpeed": (0.5, {}),
+        "VolumePreserving": (True, FREE), "CurvatureSpeed": (0.1, {}), "CurvatureRange": (0.5, {}),
+        "AdvectionSpeed": (0.5, {}),
         "AdvectionBalance": (0.5, {}), "RelativeUnits": (False, {}),
         "FieldMode": (E.EDGE_IMAGE, {}),
         "EdgeSharpness": (1.0, {"FieldMode": E.IMAGE, "InputDataObject": (1, ball_image())}),
